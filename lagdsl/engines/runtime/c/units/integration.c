@@ -116,10 +116,8 @@
 #undef variables
 
 #define DIFFERENCE motion_DIFFERENCE
-#define rates motion_rates
 #include "lag/equations/motion.c"
 #undef DIFFERENCE
-#undef rates
 
 #define find_components projection_find_components
 #include "lag/equations/projection.c"
@@ -272,12 +270,10 @@
 
 #define place steps_place
 #define places steps_places
-#define rates steps_rates
 #include "lag/methods/steps.c"
 #undef METHOD
 #undef place
 #undef places
-#undef rates
 
 #define EXPLICIT stiffness_EXPLICIT
 #define ITERATIONS stiffness_ITERATIONS

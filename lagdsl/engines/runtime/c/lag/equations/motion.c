@@ -52,7 +52,7 @@ enum { MANY_DIRECTIONS = 64 };
 /* Of a state, for a difference. */
 static const double DIFFERENCE = 1e-8;
 
-static lag_status rates(void *context, double t, const double *x, double *xd)
+static lag_status rates_of_motion(void *context, double t, const double *x, double *xd)
 {
     lag_motion *motion = context;
     const size_t n = motion->model->nq;
@@ -72,12 +72,12 @@ static lag_status jacobian_with_loads(lag_motion *motion, double t, const double
     double *moved = motion->loads + motion->model->nload * (motion->model->nq + motion->model->nc);
     double *here = moved + size;
     double *there = here + size;
-    lag_status status = rates(motion, t, x, here);
+    lag_status status = rates_of_motion(motion, t, x, here);
     memcpy(moved, x, size * sizeof(double));
     for (size_t j = 0; j < size && status == LAG_OK; ++j) {
         const double by = DIFFERENCE * fmax(fabs(x[j]), 1.0);
         moved[j] = x[j] + by;
-        status = rates(motion, t, moved, there);
+        status = rates_of_motion(motion, t, moved, there);
         moved[j] = x[j];
         for (size_t i = 0; i < size; ++i) {
             matrix[i * size + j] = (there[i] - here[i]) / by;
@@ -163,7 +163,7 @@ lag_ode lag_motion_ode(const lag_model *model)
     return (lag_ode){
         .size = lag_motion_size(model),
         .nq = model->nq,
-        .rates = rates,
+        .rates = rates_of_motion,
         .jacobian = jacobian,
         .patterns = model->patterns,
         .entries = entries,

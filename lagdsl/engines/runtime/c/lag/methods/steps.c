@@ -41,7 +41,7 @@ static void begin_fixed(lag_stepper *s)
 }
 
 /* The system as the formulas see it: counted, and known at the present state. */
-static lag_status rates(void *context, double t, const double *x, double *xd)
+static lag_status rates_fixed(void *context, double t, const double *x, double *xd)
 {
     lag_stepper *s = context;
     if (t == s->t && lag_same(s->ode->size, x, s->x)) {
@@ -67,7 +67,7 @@ static lag_status jacobian_fixed(void *context, double t, const double *x, doubl
 static lag_status step_fixed(lag_stepper *s, double limit, lag_fixed_step *formula)
 {
     const places at = place(s);
-    const lag_ode ode = {.size = s->ode->size, .nq = s->ode->nq, .context = s, .rates = rates, .jacobian = jacobian_fixed};
+    const lag_ode ode = {.size = s->ode->size, .nq = s->ode->nq, .context = s, .rates = rates_fixed, .jacobian = jacobian_fixed};
     double end = *at.start + *at.first + *at.count * s->h_fixed;
     if (limit - s->t <= LAG_STRETCH * (end - s->t)) {
         end = limit;

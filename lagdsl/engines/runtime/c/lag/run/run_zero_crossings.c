@@ -77,8 +77,8 @@ static double root_of(change *one, double a, double fa, double b, double fb, dou
 }
 
 /*
- * Of the guards that are sought, relations and corners in their order, as these may jump; then the one that a straight line from its value `before` leads
- * to zero first. The number of all where none is.
+ * Of the guards that are sought, relations, slips and corners in their order, as these may jump or turn back; then the contact that a straight line from
+ * its value `before` leads to zero first. The number of all where none is.
  */
 static size_t find_nearest(const lag_guards *guards, const double *before)
 {
@@ -86,7 +86,8 @@ static size_t find_nearest(const lag_guards *guards, const double *before)
     size_t which = count;
     double least = (double)INFINITY;
     for (size_t i = 0; i < count; ++i) {
-        const double part = lag_guards_has_noise(guards, i) ? 0.0 : before[i] / (before[i] - guards->value[i]);
+        const int is_contact = i - guards->motion->model->nindicator < guards->motion->model->ncontact;
+        const double part = is_contact ? before[i] / (before[i] - guards->value[i]) : 0.0;
         if (guards->sought[i] != 0.0 && (which == count || part < least)) {
             which = i;
             least = part;
