@@ -14,6 +14,7 @@ NAMES = (
     "balls",
     "beam",
     "drive",
+    "elastic_slider_crank",
     "four_bars",
     "iftomm_a01",
     "iftomm_a02",

@@ -57,9 +57,7 @@
 #undef crowd
 #undef place
 
-#define sample differences_sample
 #include "lag/sensitivities/differences.c"
-#undef sample
 
 #include "lag/sensitivities/projection_tangent.c"
 
@@ -70,11 +68,9 @@
 #include "lag/sensitivities/sensitivity_collocation.c"
 
 #define place_of sensitivity_delays_place_of
-#define sample sensitivity_delays_sample
 #define set_sizes sensitivity_delays_set_sizes
 #include "lag/sensitivities/sensitivity_delays.c"
 #undef place_of
-#undef sample
 #undef set_sizes
 
 #define solve sensitivity_fixed_solve

@@ -118,7 +118,7 @@ static lag_status expressions_along(lag_sensitivities *s, lag_run *run, double t
 }
 
 /* The derivatives of all expressions along all columns at time t in the last step, and dtau of where it began, into `values`. */
-static lag_status sample(lag_sensitivities *s, lag_run *run, double t, double *values)
+static lag_status sample_columns(lag_sensitivities *s, lag_run *run, double t, double *values)
 {
     const lag_stepper *stepper = &run->stepper;
     const lag_model *model = run->motion.model;
@@ -177,7 +177,7 @@ lag_status lag_columns_keep_past(lag_run *run, double t)
         const double b = a + h * (1.0 + 1.0 / (2 * PARTS)) < t ? a + h : t;
         const double half = 0.5 * (b - a);
         for (size_t j = 0; j < LAG_DELAY_SAMPLES && status == LAG_OK; ++j) {
-            status = sample(s, run, j == 0 ? b : a + half * (1.0 + lag_delay_places[j]), pieces->sample + j * pieces->n);
+            status = sample_columns(s, run, j == 0 ? b : a + half * (1.0 + lag_delay_places[j]), pieces->sample + j * pieces->n);
         }
         if (status == LAG_OK && lag_delay_try(pieces, run->accuracy.relative, b) > 1.0 && half >= least && a + half > a) {
             h = half;
