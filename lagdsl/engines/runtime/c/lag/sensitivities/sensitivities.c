@@ -64,6 +64,16 @@ static size_t derivatives_of_motion(const lag_model *model)
     return model->nq + model->nc + equations_of(model) * (model->nq + model->nz + lag_columns_variables(model));
 }
 
+/* Rows of equations of stages that are decomposed at most. */
+enum { MOST_DECOMPOSED = 256 };
+
+/* Rows of the equations of stages where they are decomposed. With more of them the corrections of Radau's own iteration cost less. */
+static size_t decomposed(size_t n)
+{
+    const size_t rows = LAG_RADAU_STAGES * n;
+    return rows <= MOST_DECOMPOSED ? rows : 0;
+}
+
 static size_t memory_for(const lag_model *model, size_t count)
 {
     const size_t n = lag_motion_size(model);
@@ -74,7 +84,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
     const lag_ode ode = lag_motion_ode(model);
-    const size_t implicit = LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n) + n * (n + 4);
+    const size_t implicit = LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n) + decomposed(n) * (decomposed(n) + 1) + n * (n + 4);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + motion + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
@@ -159,6 +169,8 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->collocation.jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
     work->collocation.slope = lag_take(memory, LAG_RADAU_STAGES * n);
     work->collocation.z = lag_take(memory, LAG_RADAU_STAGES * n);
+    work->collocation.matrix = decomposed(n) > 0 ? lag_take(memory, decomposed(n) * decomposed(n)) : NULL;
+    work->collocation.pivots = lag_take(memory, decomposed(n));
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)

@@ -92,6 +92,7 @@ typedef struct lag_collocation_system {
     double *jacobian;        /* (stages, entries) as Radau keeps them */
     double *slope;           /* (stages, n) where the column begins, */
     double *z;               /* (stages, n) and what the stages add to it */
+    double *matrix, *pivots; /* (stages n, stages n) (stages n) decomposed; null: the equations are too many */
 } lag_collocation_system;
 
 /* Those of ROS2. */
@@ -243,7 +244,9 @@ lag_status lag_sensitivities_instant(struct lag_run *run, const struct lag_cause
 /* which are those behind it from now on. */
 void lag_sensitivities_after(lag_companion *companion);
 
-/* z of a column, by what was decomposed for the last step of the state; 0: corrections do not contract. Arrays of stages of `at` but z are lost. */
+/* Decomposes the equations of all columns for the last step, of which the Jacobians are there, into `matrix`; 0: they are singular. */
+int lag_collocation_decompose(const lag_stepper *stepper, const lag_radau_table *table, const lag_collocation_system *system);
+/* z of a column, by this, or by what was decomposed for the last step of the state; 0: corrections do not contract. Arrays of stages of `at` but z are lost. */
 int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system);
 
 /* Entries of a direction: q, qd, z, u, p. */

@@ -216,6 +216,9 @@ static lag_status implicit_step(lag_sensitivities *s, lag_run *run)
     for (size_t i = 0; i < of_state.table->stages && status == LAG_OK; ++i) {
         status = implicit_stage(s, run, &of_state, i);
     }
+    if (status == LAG_OK && s->work.collocation.matrix != NULL && !lag_collocation_decompose(&run->stepper, of_state.table, &s->work.collocation)) {
+        status = LAG_SINGULAR;
+    }
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
         const size_t lane = k % s->columns.lanes;
         const lag_attempt_arrays at = arrays_of(s, run, k / s->columns.lanes);
