@@ -75,8 +75,7 @@ def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None
     flat = made.prepared.compilation.flat
     u = signals(flat, defaults, wishes.inputs, made.span, Sink(), speeds=engine.layout.speeds).at(t)
     return head_of(
-        made.prepared.own,
-        made.prepared.living,
+        made.prepared,
         made.motion,
         p=made.p.tolist(),
         u=u.tolist(),

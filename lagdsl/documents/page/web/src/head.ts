@@ -64,11 +64,16 @@ export interface Head {
   meshes: PackedMesh[];
   vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
-  events: { time: number; name: string; kind: string }[];
+  events: Happening[];
   parameters: Quantity[]; // as the tape counts them
   inputs: Quantity[];
   lasting: number[]; // rows of constraints that come and go
-  words: Record<string, string>; // why a run ended, by status
+  sliders: string[]; // parameters and inputs that the page begins with
+  curves: string[]; // none: the first coordinates
+  inks: string; // of each character of the source, the letter of its kind
+  words: Record<string, string>; // why a run ended, by status; names of `blamed` for braces
+  blamed: Record<string, string[]>;
+  happenings: { kind: string; names: string[] }[]; // by kinds of events as the runtime counts them
   said: string; // of the recorded motion
   sources: (Span | null)[]; // statements of the text that terms of the equations come from
   // Pages with several motions, one after the other in the data.
@@ -80,6 +85,12 @@ export interface Head {
   locus?: Locus | null;
 }
 
+export interface Happening {
+  time: number;
+  name: string;
+  kind: string;
+}
+
 export interface Run {
   label: string;
   rows: number;
@@ -88,7 +99,7 @@ export interface Run {
   pace: number; // seconds of the motion in a second
   said: string;
   parameters: number[] | null;
-  events: { time: number; name: string; kind: string }[];
+  events: Happening[];
 }
 
 export interface Mode {

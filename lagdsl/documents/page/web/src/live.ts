@@ -1,18 +1,13 @@
 // The worker that integrates: at most one motion under way, and only the newest wish waits.
 import { inflated, type Head } from "./head.ts";
 import { Motion } from "./motion.ts";
-import type { Answer, Setup } from "./orders.ts";
+import type { Answer, Order, Setup } from "./orders.ts";
 
-export interface Outcome {
-  motion: Motion;
-  status: number;
-  time: number;
-  took: number;
-}
+export type Outcome = Omit<Answer, "rows"> & { motion: Motion };
 
 export class Live {
   private busy = false;
-  private waiting: { parameters: Float64Array; inputs: Float64Array } | null = null;
+  private waiting: Omit<Order, "number"> | null = null;
   private number = 0;
 
   private constructor(
@@ -42,6 +37,7 @@ export class Live {
         rows,
         tolerance: head.tolerance,
         lasting: head.lasting,
+        entries: head.blamed.entries.length,
       };
       const width = await new Promise<number>((resolve, reject) => {
         worker.onmessage = (event: MessageEvent<{ ready: number }>) => resolve(event.data.ready);
@@ -54,8 +50,8 @@ export class Live {
     }
   }
 
-  run(parameters: Float64Array, inputs: Float64Array): void {
-    this.waiting = { parameters, inputs };
+  run(parameters: Float64Array, inputs: Float64Array, pull: Order["pull"] = null): void {
+    this.waiting = { parameters, inputs, pull };
     if (!this.busy) this.next();
   }
 
@@ -68,8 +64,7 @@ export class Live {
 
   private arrived(answer: Answer): void {
     this.busy = false;
-    const motion = new Motion(this.width, answer.rows);
-    this.told({ motion, status: answer.status, time: answer.time, took: answer.took });
+    this.told({ ...answer, motion: new Motion(this.width, answer.rows) });
     this.next();
   }
 }
