@@ -48,7 +48,7 @@ TypeAliasForwardRef.__repr__ = lambda alias: alias.name  # type: ignore[method-a
 
 html_theme = "furo"
 html_title = "lagdsl"
-html_static_path = ["_static"]
+html_static_path = ["_static", "../lagdsl/documents/page/web/font/math.woff2"]
 html_css_files = ["site.css"]
 html_math_renderer = "mathml"
 html_copy_source = False

@@ -125,11 +125,12 @@ def html_of(
     derivation, motion = _derivation(flat, compilation), b"".join(_columns(each) for each in motions)
     folder = page_folder() / "dist"
     loader = (folder / "loader.js").read_text(encoding="utf-8").strip()
-    style = (folder / "page.css").read_text(encoding="utf-8").strip()
+    font = b64encode((page_folder() / "font" / "math.woff2").read_bytes()).decode()
+    style = (folder / "page.css").read_text(encoding="utf-8").strip() + _FONT.format(font)
     allowed = b64encode(sha256(loader.encode()).digest()).decode()
     policy = (
         f"default-src 'none'; script-src 'sha256-{allowed}' blob: 'wasm-unsafe-eval'; worker-src blob:; "
-        "style-src 'unsafe-inline'; img-src data: blob:; media-src blob:"
+        "style-src 'unsafe-inline'; font-src data:; img-src data: blob:; media-src blob:"
     )
     tabs = "".join(
         f'<button role="tab" id="{name}-tab" aria-controls="{name}-panel">{title}</button>' for name, title in _TABS
@@ -178,6 +179,8 @@ def html_of(
 """
 
 
+# Brackets stretch with a font that has a table of mathematics, and many machines have none.
+_FONT = '@font-face{{font-family:"lagdsl Math";src:url(data:font/woff2;base64,{})}}'
 _UNITS = '<label class="choice"><input type="checkbox" id="units">units of symbols and equations</label>'
 _TABLE = (
     '<table><caption>Values at the time of the clock</caption><thead><tr><th scope="col">name</th>'

@@ -111,6 +111,7 @@ def test_a_mass_is_dragged_to_its_start(opened: Opened) -> None:
     page.mouse.down()
     page.mouse.move(x - 0.1 * pixels, y + 0.2 * pixels, steps=4)
     page.mouse.up()
+    page.mouse.move(5, 5)  # what is pointed at has another colour
     integrated(page)
     page.wait_for_timeout(300)
     angle = field(page, "theta.start in deg")
