@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from lagdsl.documents.page.arrows import arrows
+from lagdsl.documents.page.digits import digits
 from lagdsl.documents.page.head import Json, head_of
 from lagdsl.documents.plot.picture.recording import Recording, record_motion
 from lagdsl.documents.plot.picture.wishes import Wishes
@@ -125,12 +126,11 @@ def html_of(
     derivation, motion = _derivation(flat, compilation), b"".join(_columns(each) for each in motions)
     folder = page_folder() / "dist"
     loader = (folder / "loader.js").read_text(encoding="utf-8").strip()
-    font = b64encode((page_folder() / "font" / "math.woff2").read_bytes()).decode()
-    style = (folder / "page.css").read_text(encoding="utf-8").strip() + _FONT.format(font)
+    style = (folder / "page.css").read_text(encoding="utf-8").strip()
     allowed = b64encode(sha256(loader.encode()).digest()).decode()
     policy = (
         f"default-src 'none'; script-src 'sha256-{allowed}' blob: 'wasm-unsafe-eval'; worker-src blob:; "
-        "style-src 'unsafe-inline'; font-src data:; img-src data: blob:; media-src blob:"
+        "style-src 'unsafe-inline'; img-src data: blob:; media-src blob:"
     )
     tabs = "".join(
         f'<button role="tab" id="{name}-tab" aria-controls="{name}-panel">{title}</button>' for name, title in _TABS
@@ -149,6 +149,7 @@ def html_of(
         "tape": _packed(model_tape),
         **({"vectors": _packed(arrow_tape)} if arrow_tape else {}),
         "motion": _packed(motion),
+        "font": digits((page_folder() / "font" / "math.woff2").read_bytes()),
     }
     blocks = "".join(f'<script type="text/plain" id="{name}">{text}</script>\n' for name, text in data.items())
     notices = (folder / "licenses.txt").read_text(encoding="utf-8").replace("--", "- -")
@@ -179,8 +180,6 @@ def html_of(
 """
 
 
-# Brackets stretch with a font that has a table of mathematics, and many machines have none.
-_FONT = '@font-face{{font-family:"lagdsl Math";src:url(data:font/woff2;base64,{})}}'
 _UNITS = '<label class="choice"><input type="checkbox" id="units">units of symbols and equations</label>'
 _TABLE = (
     '<table><caption>Values at the time of the clock</caption><thead><tr><th scope="col">name</th>'
@@ -199,7 +198,7 @@ def _packed_file(path: Path) -> str:
 
 
 def _packed(data: bytes) -> str:
-    return b64encode(zlib.compress(data, 9)).decode()
+    return digits(zlib.compress(data, 9))
 
 
 def _json(head: Json) -> str:

@@ -1,4 +1,4 @@
-"""Pages in the hands of somebody: keys, focus, a machine that is dragged, starts that cannot be, motions side by side."""
+"""Pages in the hands of somebody: keys, focus, a machine that is dragged, starts that cannot be, compared motions."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_a_mass_is_dragged_to_its_start(opened: Opened) -> None:
     page.mouse.down()
     page.mouse.move(x - 0.1 * pixels, y + 0.2 * pixels, steps=4)
     page.mouse.up()
-    page.mouse.move(5, 5)  # what is pointed at has another colour
+    page.mouse.move(20, 740)  # what is pointed at has another colour
     integrated(page)
     page.wait_for_timeout(300)
     angle = field(page, "theta.start in deg")
@@ -170,7 +170,9 @@ def test_the_text_has_the_colours_of_the_editor(opened: Opened) -> None:
     page = opened.page
     page.locator("#source-tab").click()
     words = {letter: page.locator(f".ink-{letter}").all_inner_texts() for letter in "knut"}
-    assert "parameter" in words["k"] and "Pendulum" in words["t"] and "90" in words["n"] and "deg" in "".join(words["u"])
+    assert (
+        "parameter" in words["k"] and "Pendulum" in words["t"] and "90" in words["n"] and "deg" in "".join(words["u"])
+    )
     text = "\n".join(page.locator(".line").all_text_contents()).replace("\u200b", "")
     assert text == PENDULUM
     page.locator("#sliders-tab").click()
@@ -235,7 +237,8 @@ def test_printed_formulas_fit_the_paper(browser: Any, tmp_path: Path) -> None:
     page.emulate_media(media="print")
     wide = page.evaluate("""() => {
         const room = document.querySelector('#derivation').getBoundingClientRect().right + 1;
-        return [...document.querySelectorAll('#derivation math')].filter((each) => each.getBoundingClientRect().right > room).length;
+        const formulas = [...document.querySelectorAll('#derivation math')];
+        return formulas.filter((each) => each.getBoundingClientRect().right > room).length;
     }""")
     assert wide == 0
     pages = page.pdf(format="A4").count(b"/Type /Page\n") or page.pdf(format="A4").count(b"/Type /Page ")

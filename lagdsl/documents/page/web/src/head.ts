@@ -1,4 +1,5 @@
 // What a page is told: the JSON of lagdsl/page/head.py, and the arrays that come with it.
+import { bytesOf, inflate } from "./packed.ts";
 
 export interface Display {
   unit: string;
@@ -126,18 +127,11 @@ export function readHead(): Head {
   return JSON.parse(text("head")) as Head;
 }
 
-function bytesOf(packed: string): Uint8Array<ArrayBuffer> {
-  const binary = atob(packed.trim());
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
-
-export async function inflate(packed: string): Promise<Uint8Array<ArrayBuffer>> {
-  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 export function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
   return inflate(text(id));
+}
+
+/** The font of formulas: with many others brackets do not stretch. */
+export async function loadFont(): Promise<void> {
+  document.fonts.add(await new FontFace("lagdsl Math", bytesOf(text("font"))).load());
 }

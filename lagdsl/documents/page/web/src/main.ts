@@ -4,7 +4,7 @@ import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
 import { make, place } from "./dom.ts";
 import { grab } from "./grab.ts";
-import { inflated, readHead, type Happening, type Head, type Shape, type Span } from "./head.ts";
+import { inflated, loadFont, readHead, type Happening, type Head, type Shape, type Span } from "./head.ts";
 import { keys } from "./keys.ts";
 import { Live, type Outcome } from "./live.ts";
 import { geometryOf } from "./meshes.ts";
@@ -439,6 +439,7 @@ async function main(): Promise<void> {
   const [first] = motions;
   stage.pose(first, first.state(head.start, new Float64Array(first.width)), head.start);
   await shownOnce();
+  void loadFont();
   await new Page(head, motions, stage).begin();
 }
 
