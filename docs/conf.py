@@ -25,6 +25,7 @@ extensions = [
     "sphinx_click",
     "mathml_renderer",
     "generated_pages",
+    "living_pages",
     "notebook_pages",
     "search_scope",
 ]
