@@ -93,7 +93,7 @@ def head_of(
             "rows": [slot.name for slot in prepared.engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
         },
-        "happenings": [_happening(living.flat, prepared.engine.layout, kind) for kind in WHAT],
+        "event_names": [_event_names(living.flat, prepared.engine.layout, kind) for kind in WHAT],
     }
 
 
@@ -118,7 +118,7 @@ def _sliders(model: FlatModel, living: FlatModel) -> list[str]:
     every += [(f"der({c.name}){START}", c.rate_fixed, c.rate_start_explicit) for c in model.coordinates]
     fixed, written = ([name for name, *flags in every if flags[k]] for k in (0, 1))
     own = [p.name for p in model.parameters if not p.structural and not ("." in p.name and p.name.endswith("]"))]
-    return [*(fixed or written or [name for name, *_ in every]), *own, *(item.name for item in model.inputs)]
+    return [*(fixed or written), *own, *(item.name for item in model.inputs)]
 
 
 def _rate(shown: Display) -> Display:
@@ -132,7 +132,7 @@ def _named(entry: Entry) -> str:
     return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
 
 
-def _happening(flat: FlatModel, layout: Layout, kind: str) -> Json:
+def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
     return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
 
 

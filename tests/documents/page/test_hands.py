@@ -205,15 +205,6 @@ def test_a_start_that_cannot_be_is_told_and_the_picture_grey(browser: Any, tmp_p
     page.close()
 
 
-def test_clocks_are_a_density_and_no_red_band(browser: Any, tmp_path: Path) -> None:
-    path = tmp_path / "page.html"
-    path.write_text(page_of("furuta_swing_up"), encoding="utf-8")
-    page = Opened(browser, path).page
-    assert page.locator(".ticks i.tick").count() == 0
-    assert page.locator(".ticks b").count() == 100
-    page.close()
-
-
 def test_it_works_in_a_frame_and_on_a_slide(browser: Any, tmp_path: Path) -> None:
     path = tmp_path / "page.html"
     path.write_text(page_of("double_pendulum"), encoding="utf-8")
@@ -243,4 +234,26 @@ def test_printed_formulas_fit_the_paper(browser: Any, tmp_path: Path) -> None:
     assert wide == 0
     pages = page.pdf(format="A4").count(b"/Type /Page\n") or page.pdf(format="A4").count(b"/Type /Page ")
     assert 3 <= pages <= 12
+    page.close()
+
+
+def test_a_dial_is_turned(browser: Any, tmp_path: Path) -> None:
+    """The hand of a gauge stands upward at zero and turns with the pointer."""
+    text = "model Wheel\n  coordinate Angle q;\n  kinetic 1/2*(1 kg.m2)*der(q)^2;\nend Wheel;\n"
+    path = tmp_path / "page.html"
+    path.write_text(page_of(text, 1.0), encoding="utf-8")
+    page = Opened(browser, path).page
+    page.keyboard.press("Space")
+    canvas = page.locator("#stage canvas").bounding_box()
+    assert canvas is not None
+    x, y = place_of_mass(page)  # the hand is blue: its middle is half a radius above the center
+    found = page.evaluate("() => document.querySelector('#stage canvas').clientHeight")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 0.4 * found, y + 20, steps=4)
+    page.mouse.up()
+    integrated(page)
+    page.wait_for_timeout(300)
+    page.evaluate("document.querySelectorAll('#sliders details').forEach((each) => (each.open = true))")
+    assert 45.0 < field(page, "q.start in deg") < 135.0
     page.close()

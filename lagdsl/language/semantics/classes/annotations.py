@@ -66,7 +66,7 @@ def experiment(ctx: Context, annotations: Sequence[Placed]) -> Experiment:
 
 
 def settings_of(annotations: Sequence[Placed], name: str) -> list[tuple[Scope, nodes.AnyModifier]]:
-    """What stands in the brackets of the annotation `name`: that of the class itself, else of the last base class."""
+    """Settings in the annotation `name`: that of the class itself, else of the last base class."""
     given: list[tuple[Scope, nodes.Modifier]] = []
     for placed in annotations:
         assert isinstance(placed.node, nodes.Annotation)

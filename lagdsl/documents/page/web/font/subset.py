@@ -17,6 +17,9 @@ SIGNS = "₀₁₂₃₄₅₆₇₈₉°±·½×˙¨…‖ℎ←→∂∇∑−
 ITALIC = [chr(code) for code in (*range(0x1D434, 0x1D468), *range(0x1D6E2, 0x1D715))]
 VECTORS = "𝒓𝒗𝑭𝑴𝝎𝐫𝐯𝐅𝛚𝐠"  # as lagdsl.documents.report.notation has them
 FAMILY = "lagdsl Math"
+# Of a letter, in thousandths: with those of the tallest bracket the rows of a formula would lie over each other, and a
+# pointer on one would find the next.
+ASCENT, DESCENT = 800, 220
 
 
 def main(source: Path) -> None:
@@ -29,6 +32,10 @@ def main(source: Path) -> None:
     for each in font["name"].names:
         if each.nameID in (1, 4, 6):
             each.string = FAMILY.replace(" ", "") if each.nameID == 6 else FAMILY
+    font["hhea"].ascent, font["hhea"].descent, font["hhea"].lineGap = ASCENT, -DESCENT, 0
+    size = font["OS/2"]
+    size.sTypoAscender, size.sTypoDescender, size.sTypoLineGap = ASCENT, -DESCENT, 0
+    size.usWinAscent, size.usWinDescent = ASCENT, DESCENT
     subset.save_font(font, str(Path(__file__).with_name("math.woff2")), options)
 
 

@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 import { axis, edged, INKS, upright, WIDE } from "./axis.ts";
 import { make } from "./dom.ts";
-import type { Column, Happening, Head } from "./head.ts";
+import type { Column, Occurrence, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { apart, density, written } from "./numbers.ts";
 import { Portrait } from "./portrait.ts";
@@ -20,7 +20,7 @@ export class Curves {
   private readonly board: HTMLElement;
   private readonly portrait: Portrait;
   private motion: Motion;
-  private events: Happening[];
+  private events: Occurrence[];
   private family: Motion[] = [];
   private time = 0;
   private seen = false;
@@ -170,7 +170,7 @@ export class Curves {
   }
 
   /** Another motion with its events. */
-  show(motion: Motion, events: Happening[]): void {
+  show(motion: Motion, events: Occurrence[]): void {
     this.motion = motion;
     this.events = events;
     for (const { plot, data } of this.charts) plot.setData(data(motion));

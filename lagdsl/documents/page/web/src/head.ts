@@ -65,7 +65,7 @@ export interface Head {
   meshes: PackedMesh[];
   vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
-  events: Happening[];
+  events: Occurrence[];
   parameters: Quantity[]; // as the tape counts them
   inputs: Quantity[];
   lasting: number[]; // rows of constraints that come and go
@@ -74,7 +74,7 @@ export interface Head {
   inks: string; // of each character of the source, the letter of its kind
   words: Record<string, string>; // why a run ended, by status; names of `blamed` for braces
   blamed: Record<string, string[]>;
-  happenings: { kind: string; names: string[] }[]; // by kinds of events as the runtime counts them
+  event_names: { kind: string; names: string[] }[]; // by kinds of events as the runtime counts them
   said: string; // of the recorded motion
   sources: (Span | null)[]; // statements of the text that terms of the equations come from
   // Pages with several motions, one after the other in the data.
@@ -86,7 +86,7 @@ export interface Head {
   locus?: Locus | null;
 }
 
-export interface Happening {
+export interface Occurrence {
   time: number;
   name: string;
   kind: string;
@@ -100,7 +100,7 @@ export interface Run {
   pace: number; // seconds of the motion in a second
   said: string;
   parameters: number[] | null;
-  events: Happening[];
+  events: Occurrence[];
 }
 
 export interface Mode {

@@ -4,7 +4,7 @@ import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
 import { make, place } from "./dom.ts";
 import { grab } from "./grab.ts";
-import { inflated, loadFont, readHead, type Happening, type Head, type Shape, type Span } from "./head.ts";
+import { inflated, loadFont, readHead, type Occurrence, type Head, type Shape, type Span } from "./head.ts";
 import { keys } from "./keys.ts";
 import { Live, type Outcome } from "./live.ts";
 import { geometryOf } from "./meshes.ts";
@@ -41,7 +41,7 @@ class Page {
   private live: Live | null = null;
   private ghosts = false;
   private kept: Motion | null = null; // to compare with
-  private events: Happening[];
+  private events: Occurrence[];
   private arrows: Promise<Live | null> | null = null; // the motion behind arrows, once one asked for it
   private endFilm: (() => void) | null = null;
   private readonly comparing = make("select");
@@ -234,7 +234,7 @@ class Page {
     else {
       this.motion = motion;
       this.events = events.map(([at, what, which]) => {
-        const { kind, names } = this.head.happenings[what];
+        const { kind, names } = this.head.event_names[what];
         return { time: at, kind, name: names[which] ?? "" };
       });
       this.sliders.take(parameters);

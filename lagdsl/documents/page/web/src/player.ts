@@ -1,6 +1,6 @@
 // The clock of the page: play, pause, scrub, speed; the ticks of events.
 import { make } from "./dom.ts";
-import type { Happening, Head } from "./head.ts";
+import type { Occurrence, Head } from "./head.ts";
 import { above, apart, density } from "./numbers.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -77,7 +77,7 @@ export class Player {
     return select;
   }
 
-  mark(events: Happening[]): void {
+  mark(events: Occurrence[]): void {
     const [start, stop] = this.span;
     const ticks = apart(events, start, stop).map(({ time, name, kind }) => {
       const tick = make("i", { title: `${name} ${kind}`, className: kind });
