@@ -1,4 +1,4 @@
-"""Models that move: below the first model of a page of the front page, the tutorial and the problems stands its living page.
+"""Living pages on the front page, in the tutorial and in the problems: a frame below the first model of a page.
 
 The pages of `lag show` lie in `living` of the site. On GitHub the texts are as they are written.
 """
@@ -33,7 +33,8 @@ def embedded(name: str, text: str, folder: Path) -> str:
     target = folder / f"{name.replace('/', '-')}.html"
     target.write_text(page(flat, Wishes(), source=file), encoding="utf-8")
     way = "../" * name.count("/")
-    frame = f'<iframe class="living" loading="lazy" src="{way}{FOLDER}/{target.name}" title="{flat.name}, moving"></iframe>'
+    source = f"{way}{FOLDER}/{target.name}"
+    frame = f'<iframe class="living" loading="lazy" src="{source}" title="{flat.name}, moving"></iframe>'
     return f"{text[: found.end()]}\n{frame}\n{text[found.end() :]}"
 
 

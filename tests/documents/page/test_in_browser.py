@@ -66,6 +66,7 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     page.wait_for_selector("html[data-arrows]", timeout=MOST_MILLISECONDS, state="attached")
     assert "reaction: longest" in page.locator("#legend").inner_text()
     assert "torque" not in page.locator("#legend").inner_text()  # pins: a rounding of forces is no torque
+    assert "longest ∂r/∂A.q: " in page.locator("#legend").inner_text()
     page.get_by_label("The coordinate that moves").select_option("A.q")
     speeds = page.get_by_role("button", name="v", exact=True)
     for key in ("+", "-", "g", "v", "f"):

@@ -1,4 +1,4 @@
-"""The annotation `page`: quantities of all kinds by their names, inherited unless redefined; faults have their places."""
+"""The annotation `page`: quantities of all kinds by their names, inherited unless redefined; faults have places."""
 
 from __future__ import annotations
 

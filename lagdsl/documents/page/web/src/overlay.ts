@@ -116,7 +116,8 @@ export class Overlay {
     for (const [kind, own] of this.scales) {
       const shape = this.vectors.shapes.find((each) => scaleOf(each) === kind);
       if (shape === undefined || !this.shown.has(switchOf(shape)) || own.force === 0) continue;
-      const size = `${sizeText((LONGEST * this.sizes.length) / own.force)} ${unitOf(shape)}`.trim();
+      const unit = unitOf(shape) === "1" ? "" : ` ${unitOf(shape)}`;
+      const size = `${sizeText((LONGEST * this.sizes.length) / own.force)}${unit}`;
       if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${greek(name)}: ${size}`));
       else lines.push(`${shape.kind}: longest ${size}`);
     }
