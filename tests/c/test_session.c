@@ -59,7 +59,7 @@ static void events_are_those_of_the_call(void)
     int ticks = 0;
     for (int k = 0; k < (int)events[0]; ++k) {
         const double *event = events + 1 + 3 * k;
-        impacts += event[1] == LAG_IMPACT && fabs(event[0] - sqrt(2.0 * 0.04 / 9.81)) < 1e-6 && event[2] == 0.0;
+        impacts += event[1] == LAG_IMPACT && fabs(event[0] - sqrt(2.0 * 0.04 / 10.0)) < 1e-6 && event[2] == 0.0;
         ticks += event[1] == LAG_TICK && fabs(event[0] - 0.05) < 1e-12;
     }
     CHECK(impacts == 1 && ticks == 1);
