@@ -43,7 +43,8 @@ class Living:
 
 
 def living(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
-    """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`."""
+    """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`
+    and those with a slider."""
     return with_scene(flat, scene_of(flat), starts)
 
 
@@ -53,7 +54,7 @@ def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -
         fm.Output(name=f"scene[{k}]", dimension=DIMENSIONLESS, value=value, spans=())
         for k, value in enumerate(scene.columns, 1)
     )
-    coordinates, own = _starts_as_parameters(flat, starts)
+    coordinates, own = _starts_as_parameters(flat, {*starts, *flat.page.sliders})
     changed = replace(
         flat,
         outputs=(*flat.outputs, *outputs),

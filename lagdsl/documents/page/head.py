@@ -6,26 +6,29 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
-from lagdsl.derivation.scene.living import Living
+from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.scene.living import START
 from lagdsl.derivation.scene.shapes import Scene, Shape
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.documents.page.meshes import PackedMesh, packed_meshes
 from lagdsl.documents.page.words import WORDS
-from lagdsl.documents.plot.picture.recording import up_of
+from lagdsl.documents.plot.picture.recording import Prepared, up_of
+from lagdsl.engines.runtime.structures import WHAT
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
 from lagdsl.language.flat.display import Display, display
+from lagdsl.language.flat.events import Contact, Entry, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
 from lagdsl.language.settings.aliases import other_names
 from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.table import event_names
 
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
 
 
 def head_of(
-    model: FlatModel,
-    living: Living,
+    prepared: Prepared,
     motion: Trajectory,
     *,
     p: Sequence[float],
@@ -35,10 +38,11 @@ def head_of(
     tolerance: float,
     said: str,
 ) -> dict[str, Json]:
-    """`motion` is that of `living` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said` is
-    what there is to say of it."""
+    """`motion` is that of `prepared` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said`
+    is what there is to say of it."""
     from lagdsl.derivation.textbook.provenance import sources
 
+    model, living = prepared.own, prepared.living
     count = len(living.scene.columns)
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
@@ -53,6 +57,7 @@ def head_of(
         "doc": model.doc,
         "version": __version__,
         "source": "" if source is None else source.text,
+        "inks": "" if source is None else _inks(source.text),
         "planar": living.scene.planar,
         "up": up_of(model, living.scene),
         "start": span[0],
@@ -63,7 +68,7 @@ def head_of(
                 "name": column.name,
                 "kind": column.kind,
                 "unit": column.unit,
-                "display": _display(column.display),
+                "display": _display(_rate(column.display) if column.kind == "rate" else column.display),
                 "doc": docs.get(column.name),
             }
             for column in motion.columns[:first]
@@ -77,12 +82,59 @@ def head_of(
             for item, value in zip(independent, p, strict=True)
         ],
         "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
+        "sliders": _sliders(model, living.flat),
+        "curves": list(model.page.curves),
         "lasting": sorted(contact_rows(model)),
         "differentiable": not model.events.delays,
         "said": " ".join(filter(None, (said, undrawn))),
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
+        "blamed": {
+            "entries": [_named(each) for each in entries(living.flat.events)],
+            "rows": [slot.name for slot in prepared.engine.layout.constraints],
+            "coordinates": [coordinate.name for coordinate in model.coordinates],
+        },
+        "event_names": [_event_names(living.flat, prepared.engine.layout, kind) for kind in WHAT],
     }
+
+
+def _inks(text: str) -> str:
+    """Of each character, counted as JavaScript does, the first letter of its kind in the colours of the editors."""
+    from lagdsl.language.highlight.pygments_lexer import TOKENS, LagLexer
+    from lagdsl.language.highlight.rules import Kind
+
+    plain = (Kind.NAME, Kind.MARK, Kind.OPERATOR)
+    letters = {token: kind.value[0] for kind, token in TOKENS.items() if kind not in plain}
+    found = LagLexer().get_tokens_unprocessed(text)
+    return "".join(letters.get(token, " ") * (len(value.encode("utf-16-le")) // 2) for _, token, value in found)
+
+
+def _sliders(model: FlatModel, living: FlatModel) -> list[str]:
+    """The controls that the page begins with: those of the annotation, else inputs, own parameters, scalars of
+    components, and starts that are fixed, else written. Vectors of components are axes and mass centres."""
+    if model.page.sliders:
+        known = {item.name for item in (*living.parameters, *living.inputs)}
+        return [name if name in known else name + START for name in model.page.sliders]
+    every = [(c.name + START, c.fixed, c.start_explicit) for c in model.coordinates]
+    every += [(f"der({c.name}){START}", c.rate_fixed, c.rate_start_explicit) for c in model.coordinates]
+    fixed, written = ([name for name, *flags in every if flags[k]] for k in (0, 1))
+    own = [p.name for p in model.parameters if not p.structural and not ("." in p.name and p.name.endswith("]"))]
+    return [*(fixed or written), *own, *(item.name for item in model.inputs)]
+
+
+def _rate(shown: Display) -> Display:
+    """People read spins in rad/s and currents in A, which are the SI units."""
+    read = {"deg/s": "rad/s", "C/s": "A"}.get(shown.unit)
+    return shown if read is None else Display(read)
+
+
+def _named(entry: Entry) -> str:
+    """A contact or a friction by its own name, anything else by its condition."""
+    return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
+
+
+def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
+    return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
@@ -90,7 +142,7 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
     return {
         "name": item.name,
         "doc": item.doc,
-        "display": _display(display(item)),
+        "display": _display(_rate(display(item)) if item.name.startswith("der(") else display(item)),
         "value": value,
         "minimum": _finite(minimum),
         "maximum": _finite(maximum),

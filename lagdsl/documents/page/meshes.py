@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import zlib
-from base64 import b64encode
 from collections.abc import Sequence
 
 import numpy as np
 
 from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.shapes import Shape
+from lagdsl.documents.page.digits import digits
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.record import record
 
@@ -20,7 +20,7 @@ _MOST_NAMED = 5
 @record(kw_only=True)
 class PackedMesh:
     """`data`: three steps for each of `points`, then three points for each of `triangles`, as 16 bits little endian,
-    deflated, in base64. A coordinate is `low` plus `step` times its steps, in units of the file."""
+    deflated, as digits of base 85. A coordinate is `low` plus `step` times its steps, in units of the file."""
 
     points: int
     triangles: int
@@ -50,7 +50,7 @@ def _packed(mesh: Triangles) -> PackedMesh:
         triangles=len(mesh.corners),
         low=tuple(low.tolist()),
         step=tuple(step.tolist()),
-        data=b64encode(zlib.compress(data, 9)).decode(),
+        data=digits(zlib.compress(data, 9)),
     )
 
 

@@ -50,7 +50,7 @@ def test_derivatives_of_the_end_are_those_of_python(name: str, tmp_path: Path) -
     elements = Elements(page_of(name, stop))
     head = elements.head
     sliders = [each["name"] for each in head["parameters"]]
-    width, answer = answered(elements, tmp_path, {}, {}, by=[sliders.index(each) for each in by])
+    width, answer = answered(elements, tmp_path, {}, by=[sliders.index(each) for each in by])
     assert answer["status"] == 0
     found = np.array(answer["derivatives"]).reshape(len(by), width)
     model = compile_model(MODELS / f"{name}.lag", engine="tape")
@@ -65,7 +65,7 @@ def test_derivatives_of_the_end_are_those_of_python(name: str, tmp_path: Path) -
 @needs_node
 def test_a_guard_that_is_only_touched_has_words_and_no_derivatives(tmp_path: Path) -> None:
     elements = Elements(page_of(GRAZING, 2.0))
-    _, answer = answered(elements, tmp_path, {}, {}, by=[0])
+    _, answer = answered(elements, tmp_path, {}, by=[0])
     assert answer["status"] == Status.GRAZING and answer["derivatives"] == []
     assert elements.head["words"][str(int(Status.GRAZING))] == WORDS[Status.GRAZING]
     assert answer["time"] == pytest.approx(1.0, abs=1e-3)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import zlib
-from base64 import b64decode
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +11,7 @@ import numpy as np
 import pytest
 from choice import spread
 from meshes.solids import binary_stl, collada
-from page.pages import Elements
+from page.pages import Elements, inflated
 
 import lagdsl
 from lagdsl.derivation.scene.living import scene_of
@@ -50,7 +48,7 @@ def head(folder: Path, *drawings: str) -> dict[str, Any]:
 
 
 def unpacked(mesh: dict[str, Any]) -> tuple[Floats, list[tuple[int, ...]]]:
-    numbers = np.frombuffer(zlib.decompress(b64decode(mesh["data"])), dtype="<u2").reshape(-1, 3)
+    numbers = np.frombuffer(inflated(mesh["data"]), dtype="<u2").reshape(-1, 3)
     points = np.array(mesh["low"]) + np.array(mesh["step"]) * numbers[: mesh["points"]]
     return points, [tuple(row) for row in numbers[mesh["points"] :].tolist()]
 

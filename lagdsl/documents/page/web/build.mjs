@@ -3,9 +3,16 @@ import { createHash } from "node:crypto";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
+// Parts of shaders for materials that no shape has: three.js cannot leave them out by itself.
+const unused = /\b(var|const) ((?:clearcoat|iridescence|transmission|metalnessmap|roughnessmap|gradientmap|cube_uv|lights_(?:physical|toon|phong))\w*) = "(?:[^"\\]|\\.)*"/g;
+const shaders = {
+  name: "shaders",
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({ contents: (await readFile(path, "utf8")).replace(unused, '$1 $2 = ""'), loader: "js" })),
+};
 const common = { bundle: true, minify: true, target: "es2022", format: "iife", legalComments: "none", logLevel: "warning" };
 await mkdir("dist", { recursive: true });
-await build({ ...common, entryPoints: ["src/main.ts"], outfile: "dist/page.js" });
+await build({ ...common, entryPoints: ["src/main.ts"], outfile: "dist/page.js", plugins: [shaders] });
 await build({ ...common, entryPoints: ["src/loader.ts"], outfile: "dist/loader.js" });
 await build({ ...common, entryPoints: ["src/worker.ts"], outfile: "dist/worker.js" });
 await build({ ...common, entryPoints: ["src/page.css"], outfile: "dist/page.css" });

@@ -9,7 +9,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.living import scene_of
 from lagdsl.derivation.scene.shapes import Scene
-from lagdsl.documents.report.boxes import Box, Derivative
+from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
 from lagdsl.documents.report.figure.labels import labelled
 from lagdsl.documents.report.figure.lettering import width
@@ -192,7 +192,7 @@ def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
             if place is None or item.name not in found.values:
                 continue
             few = count <= _MOST_LABELS
-            label = Derivative("∂", indexed(drawn.letter("r"), drawn.carriers[k]), q) if few else None
+            label = Derivative("∂", indexed(bold(drawn.letter("r")), drawn.carriers[k]), q) if few else None
             end = place + rate / longest * _LENGTHS["motion"] * sheet.size
             sheet.arrow([place, end], "motion", label, number)
 

@@ -1,4 +1,5 @@
 // What a page is told: the JSON of lagdsl/page/head.py, and the arrays that come with it.
+import { bytesOf, inflate } from "./packed.ts";
 
 export interface Display {
   unit: string;
@@ -64,12 +65,17 @@ export interface Head {
   meshes: PackedMesh[];
   vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
-  events: { time: number; name: string; kind: string }[];
+  events: Occurrence[];
   parameters: Quantity[]; // as the tape counts them
   inputs: Quantity[];
   lasting: number[]; // rows of constraints that come and go
   differentiable: boolean; // the motion has derivatives by its quantities
-  words: Record<string, string>; // why a run ended, by status
+  sliders: string[]; // parameters and inputs that the page begins with
+  curves: string[]; // none: the first coordinates
+  inks: string; // of each character of the source, the letter of its kind
+  words: Record<string, string>; // why a run ended, by status; names of `blamed` for braces
+  blamed: Record<string, string[]>;
+  event_names: { kind: string; names: string[] }[]; // by kinds of events as the runtime counts them
   said: string; // of the recorded motion
   sources: (Span | null)[]; // statements of the text that terms of the equations come from
   // Pages with several motions, one after the other in the data.
@@ -81,6 +87,12 @@ export interface Head {
   locus?: Locus | null;
 }
 
+export interface Occurrence {
+  time: number;
+  name: string;
+  kind: string;
+}
+
 export interface Run {
   label: string;
   rows: number;
@@ -89,7 +101,7 @@ export interface Run {
   pace: number; // seconds of the motion in a second
   said: string;
   parameters: number[] | null;
-  events: { time: number; name: string; kind: string }[];
+  events: Occurrence[];
 }
 
 export interface Mode {
@@ -116,18 +128,17 @@ export function readHead(): Head {
   return JSON.parse(text("head")) as Head;
 }
 
-function bytesOf(packed: string): Uint8Array<ArrayBuffer> {
-  const binary = atob(packed.trim());
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
-
-export async function inflate(packed: string): Promise<Uint8Array<ArrayBuffer>> {
-  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 export function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
   return inflate(text(id));
+}
+
+/** The font of formulas: with many others brackets do not stretch. */
+export async function loadFont(): Promise<void> {
+  document.fonts.add(await new FontFace("lagdsl Math", bytesOf(text("font"))).load());
+}
+
+/** Words of a status, with the names of what is to blame. */
+export function why(head: Head, status: number, blamed: number[]): string {
+  const words = head.words[status] ?? `The run ended with status ${status}.`;
+  return words.replace(/\{(\w+)\}/g, (_, table: string) => [...new Set(blamed.map((k) => head.blamed[table][k]))].join(", "));
 }

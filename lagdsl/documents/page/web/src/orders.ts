@@ -9,15 +9,28 @@ export interface Setup {
   tolerance: number;
   lasting: number[];
   by: number[]; // parameters and, behind them, inputs that the end of the motion is differentiated by
+  entries: number; // discrete variables
 }
 export interface Order {
   number: number;
   parameters: Float64Array;
   inputs: Float64Array;
+  pull: Pull | null; // first find starts
+}
+
+/** A place of the machine that is pulled to another one, as seen on the screen: both axes of that in `across`. */
+export interface Pull {
+  parts: [column: number, weight: number][]; // the place is the sum of these vectors of a row
+  goal: number[];
+  across: number[][];
+  starts: { parameter: number; column: number; size: number }[]; // that may change
 }
 export interface Answer {
   number: number;
   rows: Float64Array;
+  parameters: Float64Array;
+  events: [time: number, kind: number, which: number][];
+  blamed: number[];
   status: number;
   time: number; // at which the motion ended [s]
   took: number; // [ms]

@@ -2,6 +2,7 @@
 import type { Group } from "three";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
+import { greek } from "./numbers.ts";
 import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 export type Vectors = NonNullable<Head["vectors"]>;
@@ -111,16 +112,28 @@ export class Overlay {
   /** The value that the longest arrow of each switched kind stands for; what each friction does now. */
   legend(): string[] {
     const lines: string[] = [];
+    const moving: string[] = [];
     for (const [kind, own] of this.scales) {
       const shape = this.vectors.shapes.find((each) => scaleOf(each) === kind);
       if (shape === undefined || !this.shown.has(switchOf(shape)) || own.force === 0) continue;
-      lines.push(`${shape.kind}: longest ${sizeText((LONGEST * this.sizes.length) / own.force)} ${unitOf(shape)}`);
+      const unit = unitOf(shape) === "1" ? "" : ` ${unitOf(shape)}`;
+      const size = `${sizeText((LONGEST * this.sizes.length) / own.force)}${unit}`;
+      if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${greek(name)}: ${size}`));
+      else lines.push(`${shape.kind}: longest ${size}`);
     }
+    if (moving.length > 0) lines.unshift(`longest ${moving.join(", ")}`);
     if (!this.shown.has("friction") || this.motion === null) return lines;
     const rubbing = new Map(this.vectors.shapes.filter(({ kind }) => kind === "friction").map((shape) => [shape.name, shape]));
     const told = [...rubbing.values()].map((shape) => `${shape.name}: ${this.rubs(shape)}`);
     const more = told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [];
     return [...lines, ...told.slice(0, MOST_TOLD), ...more];
+  }
+
+  /** Shown coordinates whose admissible motions have this unit. */
+  private movedIn(unit: string): string[] {
+    const own = this.vectors.shapes.filter((shape) => shape.kind === "admissible" && unitOf(shape) === unit);
+    const names = [...new Set(own.flatMap((shape) => shape.texts.coordinate ?? []))];
+    return names.filter((name) => this.coordinate === "" || name === this.coordinate);
   }
 
   /** Mode and force of friction: the mode of the last row, for between two rows it is neither. */

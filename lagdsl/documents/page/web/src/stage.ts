@@ -15,9 +15,12 @@ import {
   PerspectiveCamera,
   Raycaster,
   Scene,
+  Sprite,
   Vector2,
   Vector3,
+  type Intersection,
   type Object3D,
+  Plane,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { gauge } from "./gauges.ts";
@@ -33,9 +36,18 @@ const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
 const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
 const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "body", "circle", "mesh"]);
+const LINKS = new Set(["rod", "spring", "damper", "rope"]);
+const LEAST_LETTERS = 19; // [pixels] with the room above and below
 const POSTURES = 13;
 const MARGIN = 0.05; // of the machine: so far a motion may leave the box
 const FARTHEST = 20;
+
+/** A place of a thing, as a sum of vectors of a row, and where it is now. */
+export interface Held {
+  shape: Shape;
+  parts: [column: number, weight: number][];
+  point: Vector3;
+}
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -48,10 +60,12 @@ export class Stage {
   private readonly sizes: Sizes;
   private readonly grid: GridHelper;
   private readonly ghosts = new Group();
+  private readonly arrows = new Group();
   readonly shown = { forces: true, frames: false };
   readonly overlay: Overlay | null;
   private moved = false; // somebody chose a view
-  private posed = false; // there is something to draw
+  private now: { motion: Motion; numbers: Float64Array; t: number } | null = null; // that is drawn
+  private other: { motion: Motion; numbers: Float64Array; beside: boolean } | null = null; // to compare with
   private onlyGauges = false;
   private motion: Motion; // that the picture shows
 
@@ -85,7 +99,7 @@ export class Stage {
     this.surround();
     this.grid = this.ground(length);
     this.scene.add(this.grid);
-    const arrows = new Group();
+    const { arrows } = this;
     if (head.planar) arrows.position.z = 2 * length; // in front of everything, planes of contacts too
     this.scene.add(arrows);
     this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
@@ -232,10 +246,24 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (width === 0 || height === 0) return;
     this.screen.size(width, height);
-    this.fit(width / height);
+    this.fit((this.other?.beside ? 0.5 : 1) * (width / height));
     this.camera.updateProjectionMatrix();
     this.controls.update();
+    this.legible(height);
     this.render();
+  }
+
+  /** Names keep a least height on a small screen. */
+  private legible(height: number): void {
+    const { camera } = this;
+    const distance = camera.position.distanceTo(this.box.getCenter(new Vector3()));
+    const seen = camera instanceof OrthographicCamera ? camera.top - camera.bottom : 2 * distance * Math.tan((camera.fov * Math.PI) / 360);
+    const least = (LEAST_LETTERS * seen) / height;
+    this.scene.traverse((object) => {
+      if (!(object instanceof Sprite)) return;
+      const own = (object.userData.height ??= object.scale.y) as number;
+      object.scale.multiplyScalar(Math.max(own, least) / object.scale.y);
+    });
   }
 
   /** Colours of the page behind the machine. */
@@ -252,7 +280,13 @@ export class Stage {
   }
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
-    this.posed = true;
+    this.now = { motion, numbers, t };
+    this.overlay?.pose(t);
+    this.set(motion, numbers, t);
+    this.render();
+  }
+
+  private set(motion: Motion, numbers: Float64Array, t: number): void {
     const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
@@ -261,8 +295,12 @@ export class Stage {
       if (drawn.object.userData.hidden) drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
-    this.overlay?.pose(t);
-    this.render();
+  }
+
+  /** Another motion, left of the present one or pale behind it; null takes it away. */
+  compare(motion: Motion | null, beside: boolean): void {
+    this.other = motion === null ? null : { motion, numbers: new Float64Array(motion.width), beside };
+    this.resize();
   }
 
   /** Pale postures at several times; none takes them away. The caller poses the machine anew. */
@@ -295,18 +333,80 @@ export class Stage {
   }
 
   render(): void {
-    if (this.posed) this.screen.draw(this.scene, this.camera);
+    const { now, other } = this;
+    if (now === null) return;
+    if (other === null) {
+      this.screen.draw(this.scene, this.camera);
+      return;
+    }
+    const alone = (first: boolean): void => void (this.arrows.visible = this.ghosts.visible = !first);
+    const until = Math.min(now.t, other.motion.last);
+    this.screen.pair(this.scene, this.camera, other.beside, [
+      () => {
+        alone(true);
+        this.set(other.motion, other.motion.state(until, other.numbers), until);
+      },
+      () => {
+        alone(false);
+        this.set(now.motion, now.numbers, now.t);
+      },
+    ]);
+  }
+
+  filming(on: boolean): void {
+    this.screen.filming(on);
+  }
+
+  /** The ray through a place of the window. */
+  private ray(x: number, y: number): Raycaster {
+    const bounds = this.canvas.getBoundingClientRect();
+    const across = (x - bounds.left) / bounds.width;
+    const at = new Vector2((this.other?.beside ? (2 * across) % 1 : across) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
+    const caster = new Raycaster();
+    caster.setFromCamera(at, this.camera);
+    return caster;
+  }
+
+  /** What somebody may take hold of, and the place of it that was taken: as a sum of vectors of a row, and where it is. */
+  held(x: number, y: number): Held | null {
+    const hit = this.hitAt(x, y);
+    const shape = hit?.object.userData.shape as Shape | undefined;
+    if (hit === undefined || shape === undefined || this.now === null || !(shape.kind === "dial" || SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
+    if (shape.kind === "dial") return { shape, parts: [], point: this.drawn.find((drawn) => drawn.shape === shape)?.object.position ?? hit.point };
+    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
+    const column = (role: string): number => frame.first + shape.numbers[role];
+    const off = hit.point.clone().sub(vector(shape, "at", frame));
+    if ("to" in shape.numbers) {
+      const along = vector(shape, "to", frame).sub(vector(shape, "at", frame));
+      const part = off.dot(along) / Math.max(along.lengthSq(), 1e-300);
+      return { shape, parts: [[column("at"), 1 - part], [column("to"), part]], point: vector(shape, "at", frame).addScaledVector(along, part) };
+    }
+    const turned = ["x", "y", "z"].filter((axis) => axis in shape.numbers);
+    const parts = turned.map((axis): [number, number] => [column(axis), off.dot(vector(shape, axis, frame))]);
+    return { shape, parts: [[column("at"), 1], ...parts], point: turned.length > 0 ? hit.point : vector(shape, "at", frame) };
+  }
+
+  /** The place under the pointer in the plane through a point that faces the viewer, and the directions right and up in it. */
+  facingPlace(x: number, y: number, point: Vector3): { place: Vector3; across: Vector3[] } {
+    const [right, up, back] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(this.camera.matrixWorld, k));
+    const plane = new Plane().setFromNormalAndCoplanarPoint(back, point);
+    return { place: this.ray(x, y).ray.intersectPlane(plane, new Vector3()) ?? point, across: [right, up] };
+  }
+
+  /** Of the machine [m]. */
+  get length(): number {
+    return this.sizes.length;
+  }
+
+  private hitAt(x: number, y: number): Intersection | undefined {
+    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
+    const objects = [...this.drawn, ...arrows].map((drawn) => drawn.object);
+    return this.ray(x, y).intersectObjects(objects).find((hit) => hit.object.visible);
   }
 
   /** The shape under a pointer. */
   shapeAt(x: number, y: number): Shape | null {
-    const bounds = this.canvas.getBoundingClientRect();
-    const at = new Vector2(((x - bounds.left) / bounds.width) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
-    const caster = new Raycaster();
-    caster.setFromCamera(at, this.camera);
-    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
-    const hits = caster.intersectObjects([...this.drawn, ...arrows].map((drawn) => drawn.object));
-    return (hits.find((hit) => hit.object.visible)?.object.userData.shape as Shape | undefined) ?? null;
+    return (this.hitAt(x, y)?.object.userData.shape as Shape | undefined) ?? null;
   }
 
   /** The value behind an arrow, as it is now. */
