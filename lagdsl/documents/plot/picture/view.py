@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.faces import Faces, Ribbon
 from lagdsl.documents.plot.picture.gauges import reach
 from lagdsl.documents.plot.picture.shapes import parts_of
-from lagdsl.documents.plot.picture.stage import Stage
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -65,7 +65,7 @@ def view_of(stage: Stage) -> View:
 def _solid(stage: Stage) -> Floats:
     """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture."""
     rows = np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int))
-    parts = [part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "trace"))]
+    parts = [part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "rail", "trace"))]
     found = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
     found += [part.points for part in parts if isinstance(part, Ribbon)]
     placed = any(

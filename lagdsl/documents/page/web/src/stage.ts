@@ -27,11 +27,11 @@ import { above } from "./numbers.ts";
 import { Overlay, sizeText, unitOf } from "./overlay.ts";
 import { drawing } from "./sketch.ts";
 import { Screen } from "./screen.ts";
-import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
+import { drawn as made, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
-const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
+const STILL = new Set(["trace", "ground", "rail", "track", "frame", "slider", "dial", "text"]);
 const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "body", "circle", "mesh"]);
 const POSTURES = 13;
 const MARGIN = 0.05; // of the machine: so far a motion may leave the box
@@ -59,6 +59,7 @@ export class Stage {
     private readonly head: Head,
     whole: Motion,
     meshes: readonly BufferGeometry[],
+    forms: ReadonlyMap<string, BufferGeometry>,
     private readonly place: HTMLElement,
   ) {
     this.motion = whole;
@@ -68,10 +69,11 @@ export class Stage {
     this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
     place.append(this.canvas);
     this.box = extent(head, whole);
-    const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
-    this.sizes = { ...sizesOf(head, whole, length, this.box.getCenter(new Vector3())), meshes, detail: this.screen.detail(head.scene.shapes.length) };
+    const { length, scales, coil } = head.stage;
+    const center = new Vector3(...head.stage.center);
+    this.sizes = { length, scales, coil, center, planar: head.planar, first: head.scene.first, forms, meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
-    this.camera.up.set(...head.up);
+    this.camera.up.set(...head.stage.axes[1]);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableRotate = !head.planar;
     this.controls.addEventListener("change", () => this.render());
@@ -102,8 +104,7 @@ export class Stage {
     for (const shape of this.head.scene.shapes) {
       const drawn = isGauge(shape)
         ? gauge(shape, this.sizes, machine, this.facing(), gauges.indexOf(shape), gauges.length)
-        : MAKERS[shape.kind]?.(shape, this.sizes);
-      if (drawn === undefined) continue;
+        : made(shape, this.sizes);
       drawn.object.traverse((object) => (object.userData.shape = shape));
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
@@ -142,18 +143,15 @@ export class Stage {
 
   /** The directions right, up and towards the viewer, as one first sees the machine. */
   private facing(): Matrix4 {
-    const up = new Vector3(...this.head.up);
-    if (this.head.planar) return new Matrix4();
-    const back = Math.abs(up.z) > 0.7 ? new Vector3(0.75, -1, 0) : new Vector3(0.6, 0, 1);
-    back.addScaledVector(up, -back.dot(up)).normalize();
-    return new Matrix4().makeBasis(new Vector3().crossVectors(up, back), up, back);
+    const [right, up, back] = this.head.stage.axes.map((axis) => new Vector3(...axis));
+    return new Matrix4().makeBasis(right, up, back);
   }
 
   /** Layers that one can switch. */
   show(): void {
     for (const { object, shape } of this.drawn) {
       if (shape.kind === "frame") object.visible = this.shown.frames;
-      if (shape.kind === "force" || shape.kind === "torque") object.userData.hidden = !this.shown.forces;
+      if (shape.kind === "force" || shape.kind === "torque") object.visible = this.shown.forces;
     }
   }
 
@@ -163,8 +161,8 @@ export class Stage {
     const grid = new GridHelper(count * step, count);
     const center = this.box.getCenter(new Vector3());
     if (this.head.planar) grid.rotation.x = Math.PI / 2;
-    else grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.head.up));
-    const up = new Vector3(...this.head.up);
+    else grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.head.stage.axes[1]));
+    const up = new Vector3(...this.head.stage.axes[1]);
     if (this.head.planar) grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
     else {
       const low = Math.min(up.dot(this.box.min), up.dot(this.box.max));
@@ -258,7 +256,6 @@ export class Stage {
     for (const drawn of this.drawn) {
       drawn.follow?.(motion, row);
       drawn.update(frame);
-      if (drawn.object.userData.hidden) drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
     this.overlay?.pose(t);
@@ -274,7 +271,7 @@ export class Stage {
       for (const drawn of this.drawn) {
         if (STILL.has(drawn.shape.kind)) continue;
         drawn.update({ numbers, first: this.head.scene.first });
-        if (!drawn.object.visible || drawn.object.userData.hidden) continue;
+        if (!drawn.object.visible) continue;
         const ghost = drawn.object.clone();
         ghost.traverse((object) => {
           if (!(object instanceof Mesh)) return;
@@ -313,7 +310,7 @@ export class Stage {
   value(shape: Shape, numbers: Float64Array): string {
     if (this.overlay?.drawn.some((drawn) => drawn.shape === shape)) return this.overlay.value(shape);
     if (shape.kind !== "force" && shape.kind !== "torque") return "";
-    const length = vector(shape, "vector", { numbers, first: this.head.scene.first }).length();
+    const length = vector(shape.numbers, "vector", { numbers, first: this.head.scene.first }).length();
     return `${sizeText(length)} ${unitOf(shape)}`;
   }
 
@@ -337,14 +334,12 @@ function round(value: number, step: number): number {
   return Math.round(value / step) * step;
 }
 
-/** How far a thing of a size of its own reaches from its place, where the motion begins. */
+/** Room that a shape with sizes of its own takes around its places, where the motion begins. */
 function reach(head: Head, shape: Shape, motion: Motion): number {
-  const number = (role: string, k = 0): number => (role in shape.numbers ? motion.at(0, head.scene.first + shape.numbers[role] + k) : 0);
   if (motion.count === 0) return 0;
-  if (shape.kind !== "body") return Math.max(number("radius"), 0.5 * number("length"), 0.5 * number("height"));
-  // Of an ellipsoid a² + b² + c² = 5 (I_xx + I_yy + I_zz)/(2 m).
-  const square = (2.5 * (number("inertia") + number("inertia", 1) + number("inertia", 2))) / number("mass");
-  return square > 0 && Number.isFinite(square) ? 0.6 * Math.sqrt(square) : 0;
+  const own = shape.parts.flatMap(({ sizes }) => sizes ?? []).filter(([, column, relative]) => column >= 0 && !relative);
+  const found = own.map(([factor, column]) => Math.abs(factor * motion.at(0, head.scene.first + column)));
+  return Math.max(0, ...found.filter(Number.isFinite));
 }
 
 /** All places of the scene along the motion. */
@@ -354,10 +349,11 @@ function extent(head: Head, motion: Motion): Box3 {
   const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
   for (const shape of head.scene.shapes) {
     if (shape.kind === "frame") continue;
-    for (const role of ["at", "to"]) {
-      if (!(role in shape.numbers)) continue;
-      const first = head.scene.first + shape.numbers[role];
-      const radius = reach(head, shape, motion);
+    const radius = reach(head, shape, motion);
+    const moving = [shape.numbers, ...shape.parts.filter(({ still }) => !still).map(({ numbers }) => numbers)];
+    const columns = moving.flatMap((numbers) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
+    for (const column of new Set(columns)) {
+      const first = head.scene.first + column;
       for (let row = 0; row < motion.count; row += stride) {
         point.set(motion.at(row, first), motion.at(row, first + 1), motion.at(row, first + 2));
         if (!Number.isFinite(point.x + point.y + point.z)) continue;
@@ -369,30 +365,4 @@ function extent(head: Head, motion: Motion): Box3 {
   const size = box.getSize(point).length();
   if (size === 0) box.expandByScalar(0.5);
   return box;
-}
-
-function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Omit<Sizes, "meshes" | "detail"> {
-  const largest = (kind: string, role: string, width: number): number => {
-    let most = 0;
-    for (const shape of head.scene.shapes) {
-      if (shape.kind !== kind || !(role in shape.numbers)) continue;
-      const first = head.scene.first + shape.numbers[role];
-      for (let row = 0; row < motion.count; ++row) {
-        let square = 0;
-        for (let k = 0; k < width; ++k) square += motion.at(row, first + k) ** 2;
-        if (Number.isFinite(square)) most = Math.max(most, Math.sqrt(square));
-      }
-    }
-    return most;
-  };
-  const scaled = (most: number): number => (most > 0 ? (0.3 * length) / most : 0);
-  return {
-    length,
-    mass: largest("mass", "mass", 1),
-    force: scaled(largest("force", "vector", 3)),
-    torque: scaled(largest("torque", "vector", 3)),
-    planar: head.planar,
-    first: head.scene.first,
-    center,
-  };
 }
