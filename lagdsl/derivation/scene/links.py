@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
+from lagdsl.derivation.scene.looks import COLORS, parts_of
 from lagdsl.derivation.scene.machine import (
     HELD,
     WORLD,
     Machine,
+    constant,
     evaluator_at,
     movers_of,
     number,
@@ -19,7 +22,7 @@ from lagdsl.derivation.scene.machine import (
     straight,
     vector_or_none,
 )
-from lagdsl.derivation.scene.shapes import Columns, Shape, ShapeKind
+from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -52,7 +55,20 @@ def springs(machine: Machine) -> Iterator[Shape]:
             for ends in pairs:
                 if (kind, ends) not in seen:
                     seen.add((kind, ends))
-                    yield between(kind, term.label or kind, *ends, term.spans, machine.columns)
+                    link = between(kind, term.label or kind, *ends, term.spans, machine.columns)
+                    parts = _with_wall(machine, link, ends)
+                    yield replace(link, parts=parts)
+
+
+def _with_wall(machine: Machine, link: Shape, ends: Ends) -> tuple[Part, ...]:
+    """A link with a hatched wall at an end that stands still in space, beside the line of its motion."""
+    parts = parts_of(link.kind, dict(link.numbers), planar=False)
+    start = places(machine, ends[0])
+    if movers_of(machine, ends[0]) or not constant(start):
+        return parts
+    numbers = dict(link.numbers)
+    way = machine.columns.vector(fx.Binary("-", ends[1], ends[0]))
+    return (*parts, Part(form="wall", numbers=(("at", numbers["at"]), ("z", way)), color=COLORS["ground"]))
 
 
 def _summands(machine: Machine, value: fx.FlatExpression) -> Iterator[fx.FlatExpression]:
@@ -185,6 +201,21 @@ def ropes(machine: Machine) -> Iterator[Shape]:
         for residual in constraint.residuals:
             for a, b in _distances(residual, machine.named):
                 yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
+            for a, b in _hanging(machine, residual):
+                yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
+
+
+def _hanging(machine: Machine, residual: fx.FlatExpression) -> list[Ends]:
+    """Ropes of masses that slide along gravity and are tied to each other: each from where its coordinate is zero."""
+    names = movers_of(machine, residual)
+    slides = [(point, found) for point in points_of(machine) if (found := straight(machine, point)) is not None]
+    tied = [(point, move) for point, (name, move) in slides if name in names]
+    if machine.down is None or len(names) < 2 or len(tied) < len(names):
+        return []
+    if any(np.linalg.norm(np.cross(move, machine.down)) > HELD for _, move in tied):
+        return []
+    zeros = dict.fromkeys(names, fx.ZERO)
+    return [(substituted(machine_position(machine, point), zeros), point) for point, _ in tied]
 
 
 def rods(machine: Machine) -> Iterator[Shape]:

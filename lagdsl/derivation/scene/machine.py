@@ -222,7 +222,9 @@ def fixed_points(machine: Machine, frame: str) -> list[tuple[fx.FlatExpression, 
         elif isinstance(item, fm.Frame) and item.parent == frame:
             named.append(fx.FrameOrigin(item.name))
     named += [mass.position for mass in machine.flat.masses if frame in frames_in(machine, mass.position)]
-    found = [(point, own) for point in named if (own := in_frame(machine, frame, point)) is not None]
+    changing = {each.name for each in (*machine.flat.states, *machine.flat.inputs, *machine.flat.events.discretes)}
+    lasting = (point for point in named if not changing & set(machine.dependence.of(point)))
+    found = [(point, own) for point in lasting if (own := in_frame(machine, frame, point)) is not None]
     for _, gap in gaps(machine):
         touching = touching_point(machine, frame, gap)
         if touching is not None:
@@ -256,8 +258,9 @@ def gaps(machine: Machine) -> list[tuple[Contact | fm.Constraint, fx.FlatExpress
     found: list[tuple[Contact | fm.Constraint, fx.FlatExpression]] = []
     found += [(each, each.gap) for each in flat.events.contacts if not each.one_way]
     for each in flat.constraints:
-        if each.level == "position" and not (each.of_law or each.closure or each.normalisation or each.node):
-            found += [(each, residual) for residual in each.residuals]
+        own = each.level == "position" and not (each.of_law or each.closure or each.normalisation or each.node)
+        if own and len(each.residuals) == 1:  # several rows hold a point, as a pin does
+            found.append((each, each.residuals[0]))
     return found
 
 

@@ -29,7 +29,7 @@ BALL, CART, BAR = 0.04, 0.04, 0.028
 """Parts of the machine: the radius of the ball of the largest mass, the unit of a cart, the width of a bar."""
 
 _LEAST_SHARE = 1.0 / 64.0  # of the largest mass: a ball has at least a quarter of its radius
-_DISC, _BAR_INERTIA = 0.5, 1.0 / 12.0
+_BAR_INERTIA = 1.0 / 12.0
 _THIN = 0.02  # of a side that a moment of inertia does not tell
 _PULLEY = 0.09  # radius of a wheel without a mass
 _FLAT = 0.5  # length over radius, below which a cylinder has spokes
@@ -179,12 +179,22 @@ class _Body:
         self.points = fixed_points(machine, item.frame)
 
     def parts(self) -> list[Part]:
-        planar = not self.moments[[0, 1, 3, 4, 5]].any()
+        """A point by a ball; a body that is held away from its mass center, or at several points, by bars between them;
+        any other one by its inertia."""
         if not self.moments.any():
             return self._point()
         if self.mass <= 0.0 or not np.isfinite(self.moments).all():
             return self._wheel(Size(_PULLEY))
-        return self._plane() if planar else self._spatial()
+        planar = not self.moments[[0, 1, 3, 4, 5]].any()
+        rank = _rank(np.array([each for _, each in self._corners()]))
+        if self.points and rank > 1:
+            return self._frame()
+        if planar and (rank > 0 or self._is_bar()):
+            return [self._bar()]
+        if not planar and self.points and rank == 1:
+            return self._frame()
+        lever = [self._beam(fx.FrameOrigin(self.item.frame), self._center(), 0.3 * BAR)] if self.com.any() else []
+        return [*(self._disc() if planar else self._spatial()), *lever]
 
     # ---- pieces ------------------------------------------------------------------------------------------------------
 
@@ -225,61 +235,55 @@ class _Body:
 
     # ---- plane bodies ------------------------------------------------------------------------------------------------
 
-    def _plane(self) -> list[Part]:
-        """Only the moment about the normal is given: a box around its points, a bar, or a wheel."""
-        izz = self.item.inertia[2]
-        own = [self.com, *(place for _, place in self.points)]
+    def _corners(self) -> list[tuple[fx.FlatExpression, Floats]]:
+        """Points of the body with its mass center and, if that is elsewhere, the origin of its frame."""
+        found = [*self.points, (self._center(), self.com)]
         if self.com.any():
-            own.append(np.zeros(3))
-        if len(self.points) > 1 and _rank(np.array(own)) > 1:
-            return [self._around()]
-        along = next((way for way in (self.com, *(p for _, p in self.points)) if np.linalg.norm(way) > HELD), None)
-        behind = length_behind(self.machine, izz, self.item.mass)
-        is_bar = behind is not None and abs(behind[1] - _BAR_INERTIA) <= HELD
-        if along is None and not is_bar:
-            return self._wheel(
-                self._length(2.0, izz) if behind is None else Size(1.0, self.columns.scalar(behind[0]), False)
-            )
-        return [self._bar(np.array([1.0, 0.0, 0.0]) if along is None else along / np.linalg.norm(along))]
+            found.append((fx.FrameOrigin(self.item.frame), np.zeros(3)))
+        return found
 
-    def _bar(self, along: Floats) -> Part:
+    def _is_bar(self) -> bool:
+        behind = length_behind(self.machine, self.item.inertia[2], self.item.mass)
+        return behind is not None and abs(behind[1] - _BAR_INERTIA) <= HELD
+
+    def _disc(self) -> list[Part]:
+        """About the normal of the plane: of the radius of a parameter, if one is behind the moment."""
+        radius = radius_of(self.machine, self.item)
+        own = (
+            self._length(2.0, self.item.inertia[2]) if radius is None else Size(1.0, self.columns.scalar(radius), False)
+        )
+        return self._wheel(own)
+
+    def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
+        numbers = (("at", self.columns.vector(start)), ("to", self.columns.vector(end)))
+        return Part(form="beam", numbers=numbers, sizes=(Size(width), Size(width), Size(1.0)))
+
+    def _frame(self) -> list[Part]:
+        """Bars around the points of the body, seen across the plane that they lie in or near."""
+        corners = self._corners()
+        places = np.array([own for _, own in corners])
+        axes = np.linalg.svd(places - places.mean(axis=0))[2][:2]
+        rim = _hull((places - places.mean(axis=0)) @ axes.T)
+        ends = zip(rim, rim[1:] + rim[:1], strict=True) if len(rim) > 2 else [(rim[0], rim[-1])]
+        return [self._beam(corners[i][0], corners[j][0]) for i, j in ends]
+
+    def _bar(self) -> Part:
         """I = m l^2/12 about the mass center; one that is held at two points ends there."""
-        columns, frame = self.columns, self.item.frame
+        frame = self.item.frame
+        ways = [self.com, *(place for _, place in self.points), np.array([1.0, 0.0, 0.0])]
+        along = next(way / np.linalg.norm(way) for way in ways if np.linalg.norm(way) > HELD)
         center, half = float(self.com @ along), float(np.sqrt(3.0 * self.moments[2] / self.mass))
         square = fx.Binary("/", fx.Binary("*", fx.Number(3.0), self.item.inertia[2]), self.item.mass)
-        way = fx.Binary(
-            "*", fx.Function("sqrt", (square,)), along_axes(frame, [fx.Number(float(part)) for part in along])
-        )
-        ends: list[fx.FlatExpression] = [fx.Binary("-", self._center(), way), fx.Binary("+", self._center(), way)]
-        held = sorted([(float(place @ along), k) for k, (_, place) in enumerate(self.points)])
-        if held and self.com.any():
-            held = sorted([*held, (0.0, -1)])
-        if len(held) > 1:
-            for k, (end, reached) in enumerate(((held[0], center - half), (held[-1], center + half))):
-                if abs(end[0]) < abs(reached) or np.isclose(end[0], reached, rtol=1e-6):
-                    ends[k] = fx.FrameOrigin(frame) if end[1] < 0 else self.points[end[1]][0]
-        numbers = (("at", columns.vector(ends[0])), ("to", columns.vector(ends[1])))
-        return Part(form="beam", numbers=numbers, sizes=(Size(BAR), Size(BAR), Size(1.0)))
-
-    def _around(self) -> Part:
-        """The box along the axes of the frame that holds the points of the body."""
-        columns, frame = self.columns, self.item.frame
-        origin: fx.FlatExpression = fx.FrameOrigin(frame)
-        everything = [*self.points, (self._center(), self.com)]
-        sizes, middle = [], origin
-        for axis in range(3):
-            low = min(everything, key=lambda each: each[1][axis])
-            high = max(everything, key=lambda each: each[1][axis])
-            if high[1][axis] - low[1][axis] <= HELD:
-                sizes.append(Size(BAR))
-                continue
-            unit = fx.FrameAxis(frame, axis)
-            ends = [fx.Dot(fx.Binary("-", point, origin), unit) for point, _ in (low, high)]
-            sizes.append(Size(1.0, columns.scalar(fx.Binary("-", ends[1], ends[0])), False))
-            half = fx.Binary("*", fx.Number(0.5), fx.Binary("+", *ends))
-            middle = fx.Binary("+", middle, fx.Binary("*", half, unit))
-        place = (("at", columns.vector(middle)), *self._place()[1:])
-        return Part(form="cube", numbers=place, sizes=(sizes[0], sizes[1], sizes[2]))
+        direction = along_axes(frame, [fx.Number(float(part)) for part in along])
+        way = fx.Binary("*", fx.Function("sqrt", (square,)), direction)
+        ends: list[fx.FlatExpression] = [fx.Binary(sign, self._center(), way) for sign in "-+"]  # type: ignore[arg-type]
+        held = sorted(((float(own @ along), k) for k, (_, own) in enumerate(self._corners())), key=lambda each: each[0])
+        if self.points and held[-1][0] - held[0][0] > HELD:
+            for k, (place, number_) in enumerate((held[0], held[-1])):
+                reached = center + (half if k else -half)
+                if abs(place - center) <= abs(reached - center) * (1.0 + 1e-6) and abs(place - center) > HELD:
+                    ends[k] = self._corners()[number_][0]
+        return self._beam(ends[0], ends[1])
 
     # ---- bodies in space ---------------------------------------------------------------------------------------------
 
@@ -330,6 +334,23 @@ class _Body:
         for term in terms[1:]:
             total = fx.Binary("+", total, term)
         return self._length(factor, total)
+
+
+def _hull(places: Floats) -> list[int]:
+    """Numbers of the corners of the convex hull of points (n, 2), in order."""
+    rim: list[int] = [int(np.lexsort((places[:, 1], places[:, 0]))[0])]
+    while True:
+        here, found = places[rim[-1]], -1
+        for k, place in enumerate(places):
+            if np.abs(place - here).max() <= HELD:
+                continue
+            turn = 1.0 if found < 0 else float(np.cross(places[found] - here, place - here))
+            farther = found >= 0 and np.linalg.norm(place - here) > np.linalg.norm(places[found] - here)
+            if found < 0 or turn < -HELD or (abs(turn) <= HELD and farther):
+                found = k
+        if found < 0 or len(rim) > len(places) or np.abs(places[found] - places[rim[0]]).max() <= HELD:
+            return rim
+        rim.append(found)
 
 
 def _rank(rows: Floats) -> int:

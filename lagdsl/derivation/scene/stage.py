@@ -17,6 +17,11 @@ from lagdsl.foundation.record import record
 
 _ROWS_LOOKED_AT = 200
 _MANY = 60  # shapes, each of them small
+TILT = 0.38 / 0.92
+"""Of the view on spatial machines: upwards over backwards."""
+
+_SIDES = 12
+_EQUAL = 0.05
 _GAUGES = ("slider", "dial")
 
 
@@ -62,7 +67,7 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
         return 0.3 * length / most if most > 0.0 else 0.0
 
     scales = {"force": scaled("force"), "torque": 0.4 * scaled("torque")}
-    axes = _facing(scene, np.array(up, dtype=np.float64))
+    axes = _facing(scene, np.array(up, dtype=np.float64), points)
     meshes = meshes_of(scene.shapes)
     box = {"low": low, "high": high}
     return Stage(scene=scene, rows=rows, points=points, **box, length=length, scales=scales, meshes=meshes, axes=axes)
@@ -101,14 +106,22 @@ def reach(shape: Shape, row: Floats) -> float:
     return max((float(size) for size in sizes if np.isfinite(size)), default=0.0)
 
 
-def _facing(scene: Scene, up: Floats) -> tuple[Floats, Floats, Floats]:
-    """The directions right, up and towards the viewer, as one first sees the machine."""
+def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, Floats]:
+    """The directions right, up and towards the viewer, as one first sees the machine: planar ones square on, others
+    from the side on which their places spread most over the picture."""
     if scene.planar:
         right, above, back = np.eye(3)
         return right, above, back
-    back = np.array([0.75, -1.0, 0.0]) if abs(up[2]) > 0.7 else np.array([0.6, 0.0, 1.0])
-    back -= (back @ up) * up
-    back /= np.linalg.norm(back)
+    first = np.array([0.75, -1.0, 0.0]) if abs(up[2]) > 0.7 else np.array([0.6, 0.0, 1.0])
+    first -= (first @ up) * up
+    first /= np.linalg.norm(first)
+    other = np.cross(up, first)
+    turns = [np.pi * k / _SIDES for k in range(_SIDES)]
+    backs = [math.cos(turn) * first + math.sin(turn) * other for turn in turns]
+    seen = [points @ np.array([np.cross(up, back), up + TILT * back]).T for back in backs]
+    # Sides that show as much come out equal but for rounding: the first of them is taken.
+    spreads = np.array([np.linalg.det(np.cov(each, rowvar=False)) for each in seen])
+    back = backs[int(np.argmax(spreads >= spreads.max() * (1.0 - _EQUAL)))]
     return np.cross(up, back), up, back
 
 

@@ -38,6 +38,7 @@ _MOST_FRAMES = 60
 _STEPS_OF_A_TRACK = 49
 _FARTHEST = 6.0  # of its largest start value: so far the track of a length is drawn
 _GROUND = "#94a3b8"
+_CLEAR_GROUND = 0.3
 
 
 def grounds(machine: Machine) -> Iterator[Shape]:
@@ -62,6 +63,7 @@ def grounds(machine: Machine) -> Iterator[Shape]:
             numbers=(("at", machine.columns.vector(still)), ("z", numbers[1][1])),
             color=_GROUND,
             still=True,
+            opacity=_CLEAR_GROUND,
         )
         yield Shape(kind="ground", name=item.name, numbers=numbers, parts=(part,), spans=item.spans)
 

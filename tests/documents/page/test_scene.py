@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from named_models import compiled
 
-from lagdsl.derivation.scene import implied
+from lagdsl.derivation.scene import machine as rules
 from lagdsl.derivation.scene.living import living, scene_of
 from lagdsl.derivation.scene.shapes import Scene, Shape
 from lagdsl.language.flat.evaluate import Evaluator, Values
@@ -158,13 +158,13 @@ def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
 def test_contacts_look_at_their_own_coordinates_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """A row of balls over the floor: each of its contacts asks for as many positions as that of one ball."""
     asked: list[int] = []
-    evaluator = implied.evaluator_at
+    evaluator = rules.evaluator_at
 
     def counted(*arguments: Any, **options: Any) -> Evaluator:
         asked.append(1)
         return evaluator(*arguments, **options)
 
-    monkeypatch.setattr(implied, "evaluator_at", counted)
+    monkeypatch.setattr(rules, "evaluator_at", counted)
     counts = []
     for n in (2, 12):
         ball = "coordinate Length x{k}, h{k}(start = 1 m); mass 1 kg at {{x{k}, h{k}}};"

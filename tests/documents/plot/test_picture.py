@@ -18,7 +18,7 @@ from lagdsl.documents.plot.picture.faces import Faces, cube, cylinder, sphere, t
 from lagdsl.documents.plot.picture.film import write_film, write_picture
 from lagdsl.documents.plot.picture.recording import record_motion, up_of
 from lagdsl.documents.plot.picture.shapes import MAKERS, parts_of
-from lagdsl.documents.plot.picture.stage import Stage, stage_of
+from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.language.flat.model import FlatModel

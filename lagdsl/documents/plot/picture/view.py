@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.derivation.scene.stage import Stage
+from lagdsl.derivation.scene.stage import TILT, Stage
 from lagdsl.documents.plot.picture.faces import Faces, Ribbon
 from lagdsl.documents.plot.picture.gauges import reach
 from lagdsl.documents.plot.picture.shapes import parts_of
@@ -15,7 +15,6 @@ _MARGIN = 0.07
 _ROWS = 24
 # Of a picture: height over width.
 _LOWEST, _HIGHEST = 0.45, 1.25
-_TILT = 0.38 / 0.92
 
 
 @record(kw_only=True)
@@ -50,7 +49,7 @@ def view_of(stage: Stage) -> View:
     if stage.scene.planar:
         turn, eye = np.array([right, up, back]), None
     else:
-        towards = back + _TILT * up
+        towards = back + TILT * up
         towards /= np.linalg.norm(towards)
         turn = np.array([right, np.cross(towards, right), towards])
         far = max(float(np.linalg.norm(stage.high - stage.low)), 0.5 * stage.length) * 1.75
