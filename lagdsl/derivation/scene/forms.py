@@ -15,7 +15,7 @@ import numpy as np
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.numerics.rank import Floats
 
-FINE, COARSE = 28, 14
+FINE, COARSE = 24, 12
 """Faces around a round form: finer ones look no different, and where there are many shapes each of them is small."""
 
 _TUBE = 7
@@ -75,10 +75,10 @@ def _sphere(around: int) -> Floats:
     return _net(np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), z], axis=-1))
 
 
-def _octants(sign: float, around: int) -> Floats:
-    """Every second octant of a ball, as one marks a mass center: one sees it turn."""
+def _octants(around: int) -> Floats:
+    """Every second octant of a ball; its image in a plane between octants has the others."""
     faces = _sphere(around)
-    return np.asarray(faces[np.prod(np.sign(faces.mean(axis=1)), axis=1) == sign])
+    return np.asarray(faces[np.prod(np.sign(faces.mean(axis=1)), axis=1) < 0.0])
 
 
 def _torus(thick: float, around: int, part: float = 1.0) -> Floats:
@@ -136,8 +136,7 @@ _MAKERS: dict[str, Callable[[int], Floats]] = {
     "cylinder": lambda around: prism(_circle(around)),
     "drum": _drum,
     "cone": lambda around: prism(_circle(around), top=0.001),
-    "light octants": lambda around: _octants(-1.0, around),
-    "dark octants": lambda around: _octants(1.0, around),
+    "octants": _octants,
     "ring": lambda around: _torus(0.28, around),
     "wire ring": lambda around: _torus(0.02, 2 * around),
     "cube": lambda _: block((-0.5, 0.5), (-0.5, 0.5), (-0.5, 0.5)),
@@ -159,6 +158,9 @@ _MAKERS: dict[str, Callable[[int], Floats]] = {
     "y bar": lambda _: block((-0.03, 0.03), (0.0, 1.0), (-0.03, 0.03)),
     "z bar": lambda _: block((-0.03, 0.03), (-0.03, 0.03), (0.0, 1.0)),
 }
+
+
+FORMS = frozenset(_MAKERS)
 
 
 @cache

@@ -106,7 +106,12 @@ def _round(form: str, place: Place, radius: Size, length: Size = _ONE) -> Part:
 
 
 def ball(place: Place, radius: Size) -> list[Part]:
-    return [_even("light octants", place, radius), replace(_even("dark octants", place, radius), shade=_DARK)]
+    """Light and dark octants, as one marks a mass center: one sees it turn."""
+    across = replace(radius, factor=-radius.factor)
+    return [
+        _even("octants", place, radius),
+        Part(form="octants", numbers=place, sizes=(across, radius, radius), shade=_DARK),
+    ]
 
 
 def _spring(place: Place, radius: Size) -> Part:

@@ -63,7 +63,9 @@ def head_of(
             "center": stage.center.tolist(),
             "length": stage.length,
             "scales": stage.scales,
-            "coil": coil().round(4).tolist(),
+            "coil": coil().round(4).tolist()
+            if any(p.form == "coil" for s in stage.scene.shapes for p in s.parts)
+            else [],
             "forms": _forms(stage),
         },
         "start": span[0],
@@ -152,11 +154,15 @@ def _mesh(mesh: PackedMesh) -> Json:
     }
 
 
+# Of these a page tells the values; places stand in the parts.
+_VALUES = frozenset({"vector", "value", "mode"})
+
+
 def _shape(shape: Shape, source: SourceFile | None) -> dict[str, Json]:
     return {
         "kind": shape.kind,
         "name": shape.name,
-        "numbers": dict(shape.numbers),
+        "numbers": {role: column for role, column in shape.numbers if role in _VALUES},
         "parts": [_part(part) for part in shape.parts],
         "texts": dict(shape.texts),
         "span": _span(shape.spans, source),

@@ -58,8 +58,8 @@ def packed(mesh: Triangles) -> PackedMesh:
     return PackedMesh(
         points=len(mesh.points),
         triangles=len(mesh.corners),
-        low=tuple(low.tolist()),
-        step=tuple(step.tolist()),
+        low=tuple(float(f"{x:.9g}") for x in low),
+        step=tuple(float(f"{x:.9g}") for x in step),
         data=b64encode(zlib.compress(data, 9)).decode(),
     )
 

@@ -37,7 +37,7 @@ _LENGTHS: dict[Role, float] = {"motion": 0.3, "load": 0.26, "weight": 0.2, "coor
 _LINES: dict[str, Style] = {"rod": "rod", "rope": "thin"}
 # Kinds that this drawing tells by marks of its own, forms that lie within others or come from files, and the ground.
 _OWN_MARKS = frozenset({"frame", "force", "torque", "trace", "text", "arrow", "slider", "dial"})
-_UNSEEN = frozenset({"dark octants", "light octants", "marks", "file"})
+_UNSEEN = frozenset({"octants", "marks", "file"})
 _STANDS = frozenset({"ground", "rail", "plane ground", "plane rail"})
 
 

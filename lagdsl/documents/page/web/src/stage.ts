@@ -350,8 +350,8 @@ function extent(head: Head, motion: Motion): Box3 {
   for (const shape of head.scene.shapes) {
     if (shape.kind === "frame") continue;
     const radius = reach(head, shape, motion);
-    const moving = [shape.numbers, ...shape.parts.filter(({ still }) => !still).map(({ numbers }) => numbers)];
-    const columns = moving.flatMap((numbers) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
+    const moving = shape.parts.filter(({ still }) => !still);
+    const columns = moving.flatMap(({ numbers }) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
     for (const column of new Set(columns)) {
       const first = head.scene.first + column;
       for (let row = 0; row < motion.count; row += stride) {
