@@ -61,14 +61,14 @@ def springs(machine: Machine) -> Iterator[Shape]:
 
 
 def _with_wall(machine: Machine, link: Shape, ends: Ends) -> tuple[Part, ...]:
-    """A link with a hatched wall at an end that stands still in space, beside the line of its motion."""
+    """A link with a hatched wall across it, at an end that stands still while the other one slides on a line."""
     parts = parts_of(link.kind, dict(link.numbers), planar=False)
-    start = places(machine, ends[0])
-    if movers_of(machine, ends[0]) or not constant(start):
-        return parts
-    numbers = dict(link.numbers)
-    way = machine.columns.vector(fx.Binary("-", ends[1], ends[0]))
-    return (*parts, Part(form="wall", numbers=(("at", numbers["at"]), ("z", way)), color=COLORS["ground"]))
+    for still, other, role in ((*ends, "at"), (*ends[::-1], "to")):
+        if constant(places(machine, still)) and straight(machine, other) is not None:
+            way = machine.columns.vector(fx.Binary("-", other, still))
+            numbers = (("at", dict(link.numbers)[role]), ("z", way))
+            return (*parts, Part(form="wall", numbers=numbers, color=COLORS["ground"]))
+    return parts
 
 
 def _summands(machine: Machine, value: fx.FlatExpression) -> Iterator[fx.FlatExpression]:
@@ -103,17 +103,22 @@ def _gradient(
 
 def _ends_by_numbers(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> Ends | None:
     names = sorted(movers_of(machine, value))
-    if not names:
-        return None
-    gradients = [_gradient(machine, value, kind, seed, {}) for seed in (0, 1)]
-    if not all(np.isfinite(g).all() and np.any(g) for each in gradients for g in [np.array([*each.values()])]):
-        return None
     if len(names) == 1:
         return _from_wall(machine, value, kind, names[0])
-    ranked = [each for each in points_of(machine)[:_MOST_POINTS] if movers_of(machine, each)]
-    for a, b in combinations([WORLD, *ranked], 2):
-        if movers_of(machine, a) | movers_of(machine, b) == set(names) and _is_distance(machine, (a, b), gradients):
-            return (a, b) if kind == "damper" or _stiff(machine, value, (a, b)) else None
+    ends = _by_distance(machine, value, kind) if names else None
+    return ends if ends is None or kind == "damper" or _stiff(machine, value, ends, linear=True) else None
+
+
+def _by_distance(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> Ends | None:
+    """Two points on whose distance alone a value depends."""
+    names = movers_of(machine, value)
+    gradients = [_gradient(machine, value, kind, seed, {}) for seed in (0, 1)]
+    if not all(np.isfinite(row).all() and np.any(row) for each in gradients for row in [np.array([*each.values()])]):
+        return None
+    moving = [each for each in points_of(machine)[:_MOST_POINTS] if movers_of(machine, each)]
+    for a, b in combinations([WORLD, *moving], 2):
+        if movers_of(machine, a) | movers_of(machine, b) == names and _is_distance(machine, (a, b), gradients):
+            return a, b
     return None
 
 
@@ -129,20 +134,24 @@ def _is_distance(machine: Machine, ends: Ends, gradients: list[dict[str, float]]
     return True
 
 
-def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends) -> bool:
-    """Does dV/ds grow with the distance s of the ends?"""
+def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends, *, linear: bool = False) -> bool:
+    """Does dV/ds grow with the distance s of the ends? With `linear` in proportion: angles have no such springs."""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
-    found = []
-    for moved in (0.0, _STEP):
-        names = sorted(movers_of(machine, way))
-        rates = [evaluator_at(machine.flat, 0, {n: 1.0}) for n in names]
-        along = np.array([number(at, fx.Derivative(way)) for at in rates])
-        if not (np.isfinite(along).all() and np.any(along)):
-            return False
-        shift = {n: moved * part / float(along @ along) for n, part in zip(names, along.tolist(), strict=True)}
-        slopes = [number(evaluator_at(machine.flat, 0, {n: 1.0}, shift), fx.Derivative(value)) for n in names]
-        found.append(float(along @ np.array(slopes)) / float(along @ along))
-    return found[1] > found[0] + HELD * abs(found[0])
+    names = sorted(movers_of(machine, way))
+    along = np.array([number(evaluator_at(machine.flat, 0, {n: 1.0}), fx.Derivative(way)) for n in names])
+    if not (np.isfinite(along).all() and np.any(along)):
+        return False
+    lengths, forces = [], []
+    for step in (0.0, _STEP, 2.0 * _STEP):
+        shift = dict(zip(names, (step * along).tolist(), strict=True))
+        at = [evaluator_at(machine.flat, 0, {n: 1.0}, shift) for n in names]
+        own = np.array([number(each, fx.Derivative(way)) for each in at])
+        slopes = np.array([number(each, fx.Derivative(value)) for each in at])
+        lengths.append(number(at[0], way))
+        forces.append(float(own @ slopes) / float(own @ own))
+    stiffness = np.diff(forces) / np.diff(lengths)
+    rounding = HELD * abs(forces[0]) / (lengths[1] - lengths[0])
+    return bool(stiffness[0] > rounding) and not (linear and abs(np.ptp(stiffness)) > _PARALLEL * stiffness[0])
 
 
 def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name: str) -> Ends | None:
@@ -199,7 +208,11 @@ def ropes(machine: Machine) -> Iterator[Shape]:
         if constraint.level != "position" or constraint.closure is not None or machine.is_drawn(constraint.spans):
             continue
         for residual in constraint.residuals:
-            for a, b in _distances(residual, machine.named):
+            pairs = list(_distances(residual, machine.named))
+            if not pairs and len(movers_of(machine, residual)) > 1:
+                ends = _by_distance(machine, residual, "spring")
+                pairs = [] if ends is None else [ends]
+            for a, b in pairs:
                 yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
             for a, b in _hanging(machine, residual):
                 yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)

@@ -50,7 +50,8 @@ def dressed(shapes: Iterable[Shape], planar: bool) -> tuple[Shape, ...]:
     for each in shapes:
         parts = each.parts or parts_of(each.kind, dict(each.numbers), texts=dict(each.texts), planar=planar)
         flat = tuple(
-            replace(part, form=f"plane {part.form}") if planar and part.form in HATCHED else part for part in parts
+            replace(part, form=f"plane {part.form}", opacity=1.0) if planar and part.form in HATCHED else part
+            for part in parts
         )
         found.append(replace(each, parts=flat))
     return tuple(found)

@@ -142,8 +142,14 @@ def _way(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
     found = [vector_or_none(machine.positions[0], point) for point in points[::6]]
     if any(each is None for each in found):
         return []
-    radii = np.linalg.norm(np.array(found), axis=1)
-    return [] if np.ptp(radii) <= HELD * radii.max() else points
+    return [] if _on_a_circle(np.array(found)) else points
+
+
+def _on_a_circle(places: Floats) -> bool:
+    """Is |r|^2 = 2 c . r + d for some c and d, as on a sphere?"""
+    rows, squares = np.column_stack([2.0 * places, np.ones(len(places))]), np.sum(places**2, axis=1)
+    found = np.linalg.lstsq(rows, squares, rcond=HELD)[0]
+    return bool(np.abs(rows @ found - squares).max() <= HELD * squares.max())
 
 
 def _range(machine: Machine, name: str, movers: Iterable[str]) -> list[float]:

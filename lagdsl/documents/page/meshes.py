@@ -58,8 +58,8 @@ def packed(mesh: Triangles) -> PackedMesh:
     return PackedMesh(
         points=len(mesh.points),
         triangles=len(mesh.corners),
-        low=tuple(float(f"{x:.9g}") for x in low),
-        step=tuple(float(f"{x:.9g}") for x in step),
+        low=tuple(float(f"{x:.12g}") for x in low),
+        step=tuple(float(f"{x:.12g}") for x in step),
         data=b64encode(zlib.compress(data, 9)).decode(),
     )
 

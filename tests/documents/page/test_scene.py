@@ -11,7 +11,9 @@ from named_models import compiled
 
 from lagdsl.derivation.scene import machine as rules
 from lagdsl.derivation.scene.living import living, scene_of
+from lagdsl.derivation.scene.posed import Posed
 from lagdsl.derivation.scene.shapes import Scene, Shape
+from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.language.flat.evaluate import Evaluator, Values
 
 
@@ -184,3 +186,94 @@ def test_contacts_look_at_their_own_coordinates_only(monkeypatch: pytest.MonkeyP
         counts.append(len(asked))
     few, many = counts
     assert many <= 6 * few
+
+
+def posed(body: str, **places: float) -> list[Posed]:
+    """The parts of a model where its coordinates have these values."""
+    flat = compiled(f"model M\n{body}\nend M;\n").flat
+    found = scene_of(flat)
+    at = Evaluator(flat, Values(variables=places))
+    row = np.array([[at.scalar(column) for column in found.columns]])
+    stage = stage_of(found, row, (0.0, 1.0, 0.0))
+    return [Posed(stage, part, 0) for each in found.shapes for part in each.parts if each.kind != "frame"]
+
+
+def test_springs_stay_within_their_ends() -> None:
+    """At ten lengths: from the point A to the mass P, with a hatched wall at A."""
+    spring = "coordinate Length x(start = 1.2 m); point A = {0, 0}; point P = {x, 0}; mass 1 kg at P; gravity = 0;"
+    spring += "potential 1/2*(20 N/m)*(norm(P - A) - 1 m)^2;"
+    for x in np.linspace(0.1, 3.0, 10):
+        [coil] = [each for each in posed(spring, x=float(x)) if each.part.form == "coil"]
+        along = coil.line()[:, 0]
+        assert along.min() == pytest.approx(0.0, abs=1e-12) and along.max() == pytest.approx(x)
+        assert np.ptp(coil.line()[:, 1]) == pytest.approx(2.0 * coil.size(coil.part.sizes[0]), rel=0.1)
+    assert "plane wall" in {each.part.form for each in posed(spring, x=1.0)}
+
+
+@pytest.mark.parametrize(
+    ("energy", "ends"),
+    [
+        ("potential 1/2*k*x^2;", {(-3.0, 0.2)}),  # a wall on the side without masses, as far away as the next mass
+        ("potential 1/2*k*(x - 0.5 m)^2;", {(0.0, 0.2)}),
+        ("potential 1/2*k*(y - x)^2;", {(0.2, 3.1)}),
+        ("potential 1/2*k*(x^2 + (y - x)^2);", {(-3.0, 0.2), (0.2, 3.1)}),
+        ("dissipation 1/2*c*(der(y) - der(x))^2;", {(0.2, 3.1)}),
+        ("potential k*(1 m)*x;", set()),  # a force
+        ("potential -k*(1 m3)/x;", set()),  # an attraction: it has no stiffness
+    ],
+)
+def test_springs_follow_from_coordinates(energy: str, ends: set[tuple[float, float]]) -> None:
+    body = "parameter Stiffness k = 5 N/m; parameter Damping c = 1 N.s/m; coordinate Length x, y; gravity = 0;"
+    body += "mass 1 kg at {x, 0}; mass 1 kg at {3 m + y, 0};" + energy
+    links = [each for each in posed(body, x=0.2, y=0.1) if each.part.form in ("coil", "piston")]
+    assert {(round(each.vector("at")[0], 9), round(each.vector("to")[0], 9)) for each in links} == ends
+
+
+def test_a_bar_is_as_long_as_its_inertia_and_mass_centre_say() -> None:
+    """I = m l^2/12 at l/2 from its pivot: from the pivot to l, whatever else the picture holds."""
+    pole = "parameter Length l = 1 m; coordinate Length x; coordinate Angle q; frame F = world.at({x, 0}).rotz(q);"
+    pole += "body pole(m = 1 kg, com = {0, -l/2, 0}, Izz = (1 kg)*l^2/12) on F; mass 1 kg at {x, 0};"
+    [bar] = [each for each in posed(pole + "gravity = -g_n*world.y;", x=2.0, q=0.0) if each.part.form == "beam"]
+    assert np.abs(sorted([bar.vector("at")[1], bar.vector("to")[1]]) - np.array([-1.0, 0.0])).max() < 1e-12
+
+
+def test_a_ladder_ends_where_it_touches() -> None:
+    """Walls follow from constraints, and the points at which the body touches them."""
+    ladder = "parameter Length l = 3 m; coordinate Length x, y; coordinate Angle a; gravity = -g_n*world.y;"
+    ladder += "frame F = world.at({x, y}).rotz(-a); body beam(m = 1 kg, Izz = (1 kg)*l^2/12) on F;"
+    ladder += "constraint wall: x - l/2*cos(a) = 0; constraint ground: y - l/2*sin(a) = 0;"
+    parts = posed(ladder, x=1.5 * np.cos(1.0), y=1.5 * np.sin(1.0), a=1.0)
+    assert sorted(tuple(each.vector("z").round(9)) for each in parts if each.part.form == "plane ground") == [
+        (0.0, 1.0, 0.0),
+        (1.0, 0.0, 0.0),
+    ]
+    [bar] = [each for each in parts if each.part.form == "beam"]
+    ends = sorted(tuple(bar.vector(role).round(9)) for role in ("at", "to"))
+    assert ends == [(0.0, pytest.approx(3.0 * np.sin(1.0)), 0.0), (pytest.approx(3.0 * np.cos(1.0)), 0.0, 0.0)]
+
+
+def test_a_wire_is_where_its_constraint_holds() -> None:
+    wire = "coordinate Length x(start = 0.2 m), y; gravity = -g_n*world.y; mass 1 kg at {x, y};"
+    [track] = [each for each in posed(wire + "constraint w: y = (0.1 m)*cos(x/(1 m));") if each.part.form == "points"]
+    x, y, _ = track.line().T
+    np.testing.assert_allclose(y, 0.1 * np.cos(x), atol=1e-12)
+    assert x.min() < -1.0 and x.max() > 1.0
+
+
+def test_a_load_on_a_coordinate_acts_at_the_thing_that_it_moves() -> None:
+    """A force along the way of a mass; a torque about the axis of a body, as a turning arrow."""
+    body = "coordinate Length x; coordinate Angle q; gravity = 0; mass 1 kg at {2*x, 0}; force 3 N on x;"
+    body += "frame f = world.rotx(q); body b(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; torque 2 N.m on q;"
+    found = {each.part.primitive + each.part.form: each for each in posed(body, x=1.0, q=0.3)}
+    np.testing.assert_allclose(found["arrow"].vector("vector"), [6.0, 0.0, 0.0])
+    np.testing.assert_allclose(found["surfaceturning arrow"].vector("z"), [2.0, 0.0, 0.0], atol=1e-12)
+
+
+def test_wheels_have_the_radius_behind_their_inertia() -> None:
+    """A disc, a hoop and a bar by their formulas; a moment of its own is that of a disc."""
+    body = "coordinate Angle q; parameter Length r = 0.4 m; parameter Mass m = 2 kg; parameter Inertia J = 0.25 kg.m2;"
+    body += "frame f = world.rotz(q); gravity = 0; body b(m = m, Izz = {}) on f;"
+    for inertia, radius in (("m*r^2/2", 0.4), ("m*r^2", 0.4), ("J", 0.5)):
+        [tire] = [each for each in posed(body.format(inertia)) if each.part.form == "tire"]
+        assert tire.size(tire.part.sizes[0]) == pytest.approx(radius)
+    assert "tire" not in {each.part.form for each in posed(body.format("m*r^2/12"))}
