@@ -128,8 +128,8 @@ def _hatched(depth: float, long: float) -> Floats:
 
 def _marks() -> Floats:
     """On both faces of a drum, so that one sees it turn."""
-    bar = block((0.15, 0.85), (-0.05, 0.05), (-0.52, 0.52))
-    return np.concatenate([_turned(bar, k * np.pi / 2) for k in range(4)])
+    plates = [block((0.15, 0.85), (-0.05, 0.05), z) for z in ((0.5, 0.52), (-0.52, -0.5))]
+    return np.concatenate([_turned(plate, k * np.pi / 2) for k in range(4) for plate in plates])
 
 
 _MAKERS: dict[str, Callable[[int], Floats]] = {

@@ -32,8 +32,7 @@ _LEAST_SHARE = 1.0 / 64.0  # of the largest mass: a ball has at least a quarter 
 _BAR_INERTIA = 1.0 / 12.0
 _THIN = 0.02  # of a side that a moment of inertia does not tell
 _PULLEY = 0.09  # radius of a wheel without a mass
-_FLAT = 0.5  # length over radius, below which a cylinder has spokes
-_WHEEL = 0.25  # width over radius of a plane wheel
+_WHEEL = 0.25  # width over radius of a wheel, and of a body whose moments tell no width
 
 
 def masses(machine: Machine) -> Iterator[Shape]:
@@ -229,9 +228,8 @@ class _Body:
             found.append(Part(form="cylinder", numbers=ends, sizes=(Size(0.006), Size(0.006), Size(1.0))))
         return found
 
-    def _wheel(self, radius: Size, turn: Floats | None = None, width: Size | None = None) -> list[Part]:
-        wide = Size(_WHEEL * radius.factor, radius.column, radius.relative) if width is None else width
-        return wheel(self._place(turn), radius, wide)
+    def _wheel(self, radius: Size) -> list[Part]:
+        return wheel(self._place(), radius, replace(radius, factor=_WHEEL * radius.factor))
 
     # ---- plane bodies ------------------------------------------------------------------------------------------------
 
@@ -309,10 +307,10 @@ class _Body:
         axial, across = values[axis], values[(axis + 1) % 3]
         weights = np.roll([0.0, 0.0, 1.0], axis - 2)
         radius = Size(_THIN) if axial <= HELD * across else self._moment_length(2.0, turn, weights)
-        square = 12.0 * across - 6.0 * axial
-        if square <= 0.0 or np.sqrt(square) < _FLAT * np.sqrt(2.0 * axial):
-            return self._wheel(radius, own)
-        length = self._moment_length(1.0, turn, np.roll([12.0, 0.0, -6.0], axis - 2))
+        if 12.0 * across - 6.0 * axial > 0.0:
+            length = self._moment_length(1.0, turn, np.roll([12.0, 0.0, -6.0], axis - 2))
+        else:
+            length = replace(radius, factor=_WHEEL * radius.factor)
         place = self._place(own)
         drum = Part(form="drum", numbers=place, sizes=(radius, radius, length), opacity=CLEAR)
         return [drum, Part(form="marks", numbers=place, sizes=(radius, radius, length), color="#f8fafc")]

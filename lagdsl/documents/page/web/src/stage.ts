@@ -36,6 +36,7 @@ const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "bod
 const POSTURES = 13;
 const MARGIN = 0.05; // of the machine: so far a motion may leave the box
 const FARTHEST = 20;
+const AWAY = 4; // of its own size: a machine that goes so far drives away
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -54,6 +55,9 @@ export class Stage {
   private posed = false; // there is something to draw
   private onlyGauges = false;
   private motion: Motion; // that the picture shows
+  private numbers: Float64Array = new Float64Array(0); // of the moment that it shows
+  private readonly places: readonly Placed[];
+  private followed: Vector3 | null = null; // middle of a machine that the view goes with
 
   constructor(
     private readonly head: Head,
@@ -68,7 +72,8 @@ export class Stage {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
     place.append(this.canvas);
-    this.box = extent(head, whole);
+    this.places = placesOf(head, whole);
+    this.box = extent(this.places, whole);
     const { length, scales, coil } = head.stage;
     const center = new Vector3(...head.stage.center);
     this.sizes = { length, scales, coil, center, planar: head.planar, first: head.scene.first, forms, meshes };
@@ -77,7 +82,10 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableRotate = !head.planar;
     this.controls.addEventListener("change", () => this.render());
-    this.controls.addEventListener("start", () => (this.moved = true));
+    this.controls.addEventListener("start", () => {
+      this.moved = true;
+      this.followed = null;
+    });
     this.scene.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x94a3b8, 1.2));
     const sun = new DirectionalLight(0xffffff, 2);
     sun.position.set(0.6, 1, 1.2);
@@ -132,9 +140,9 @@ export class Stage {
    * away stays as large as it is. The caller poses the machine anew. */
   follow(motion: Motion): void {
     this.motion = motion;
-    if (this.moved || this.onlyGauges) return;
+    if (this.moved || this.onlyGauges || this.followed !== null) return;
     const room = this.box.clone().expandByScalar(MARGIN * this.sizes.length);
-    const found = extent(this.head, motion);
+    const found = extent(this.places, motion);
     if (room.containsBox(found) || found.union(this.box).getSize(new Vector3()).length() > FARTHEST * this.sizes.length) return;
     this.box.union(found);
     this.enclose(motion);
@@ -171,17 +179,42 @@ export class Stage {
     return grid;
   }
 
-  /** The whole machine along its motion, as one first sees it. The caller poses the machine anew. */
+  /** The whole machine along its motion, as one first sees it. The view goes with one that drives away; the next time it
+   * shows the whole way. The caller poses the machine anew. */
   lookAt(): void {
     this.moved = false;
-    this.surround();
+    const own = this.followed === null ? this.machineAt(this.numbers) : null;
+    this.followed = own !== null && this.drivesAway(own) ? own.getCenter(new Vector3()) : null;
+    if (own !== null && this.followed !== null) this.box.copy(own.expandByScalar(0.2 * own.getSize(new Vector3()).length()));
+    else this.surround();
     this.aim();
+  }
+
+  private machineAt(numbers: Float64Array): Box3 {
+    return grown(new Box3(), this.places, (column) => numbers[column]);
+  }
+
+  private drivesAway(own: Box3): boolean {
+    const size = own.getSize(new Vector3()).length();
+    return size > 0 && extent(this.places, this.motion).getSize(new Vector3()).length() > AWAY * size;
+  }
+
+  /** The view goes with the machine. */
+  private go(): void {
+    if (this.followed === null) return;
+    const center = this.machineAt(this.numbers).getCenter(new Vector3());
+    const step = center.clone().sub(this.followed);
+    this.followed = center;
+    this.box.translate(step);
+    this.camera.position.add(step);
+    this.controls.target.add(step);
+    this.controls.update();
   }
 
   private surround(): void {
     if (this.onlyGauges) this.box.makeEmpty();
     else {
-      this.box.copy(extent(this.head, this.motion));
+      this.box.copy(extent(this.places, this.motion));
       this.enclose(this.motion);
     }
     for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
@@ -251,6 +284,8 @@ export class Stage {
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
     this.posed = true;
+    this.numbers = numbers;
+    this.go();
     const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
@@ -342,27 +377,38 @@ function reach(head: Head, shape: Shape, motion: Motion): number {
   return Math.max(0, ...found.filter(Number.isFinite));
 }
 
-/** All places of the scene along the motion. */
-function extent(head: Head, motion: Motion): Box3 {
-  const box = new Box3();
-  const point = new Vector3();
-  const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
-  for (const shape of head.scene.shapes) {
-    if (shape.kind === "frame") continue;
+interface Placed {
+  column: number; // at which a place begins in a row
+  radius: number; // of the room around it
+}
+
+function placesOf(head: Head, motion: Motion): Placed[] {
+  return head.scene.shapes.filter(({ kind }) => kind !== "frame").flatMap((shape) => {
     const radius = reach(head, shape, motion);
     const moving = shape.parts.filter(({ still }) => !still);
     const columns = moving.flatMap(({ numbers }) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
-    for (const column of new Set(columns)) {
-      const first = head.scene.first + column;
-      for (let row = 0; row < motion.count; row += stride) {
-        point.set(motion.at(row, first), motion.at(row, first + 1), motion.at(row, first + 2));
-        if (!Number.isFinite(point.x + point.y + point.z)) continue;
-        box.expandByPoint(point.clone().addScalar(radius)).expandByPoint(point.clone().addScalar(-radius));
-      }
-    }
+    return [...new Set(columns)].map((column) => ({ column: head.scene.first + column, radius }));
+  });
+}
+
+/** The box with all places in it, of one row. */
+function grown(box: Box3, places: readonly Placed[], at: (column: number) => number): Box3 {
+  const point = new Vector3();
+  for (const { column, radius } of places) {
+    point.set(at(column), at(column + 1), at(column + 2));
+    if (!Number.isFinite(point.x + point.y + point.z)) continue;
+    box.expandByPoint(point.clone().addScalar(radius)).expandByPoint(point.clone().addScalar(-radius));
   }
+  return box;
+}
+
+/** All places of the scene along the motion. */
+function extent(places: readonly Placed[], motion: Motion): Box3 {
+  const box = new Box3();
+  const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
+  for (let row = 0; row < motion.count; row += stride) grown(box, places, (column) => motion.at(row, column));
   if (box.isEmpty()) box.set(new Vector3(0, 0, 0), new Vector3(0, 0, 0));
-  const size = box.getSize(point).length();
+  const size = box.getSize(new Vector3()).length();
   if (size === 0) box.expandByScalar(0.5);
   return box;
 }
