@@ -46,6 +46,8 @@ def springs(machine: Machine) -> Iterator[Shape]:
         if term.kind not in {"potential", "dissipation"} or machine.is_drawn(term.spans):
             continue
         kind: ShapeKind = "spring" if term.kind == "potential" else "damper"
+        if any(each.shape == kind and each.spans[1:] == term.spans[1:] for each in machine.flat.drawings):
+            continue  # somebody draws those of this class by hand
         for part in _summands(machine, term.value):
             pairs = [
                 ends for ends in _distances(part, machine.named) if kind == "damper" or _stiff(machine, part, ends)
@@ -188,7 +190,7 @@ def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name
 
 
 def _rest(machine: Machine, point: fx.FlatExpression) -> Floats | None:
-    """Where a point of a line stands while its coordinate is zero."""
+    """The place of a point that slides, while its coordinate is zero."""
     found = straight(machine, point)
     if found is None:
         return None

@@ -1,4 +1,4 @@
-"""What the rules of shapes ask of a model: numbers at positions at random, directions, parts of bodies.
+"""Answers that the rules of shapes need of a model: numbers at positions at random, directions, parts of bodies.
 
 A rule looks at values, not at texts: it holds for every model that says the same. A `draw` statement of the same
 instance of a class takes the place of what the rules would draw for it.

@@ -12,11 +12,13 @@ from lagdsl.derivation.scene.looks import CLEAR, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
+    constant,
     evaluator_at,
     fixed_points,
     length_behind,
     movers_of,
     number,
+    places,
     straight,
 )
 from lagdsl.derivation.scene.shapes import Part, Shape, Size
@@ -66,7 +68,7 @@ def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] 
     name, move = found
     events = machine.flat.events
     told = [*(each.gap for each in events.contacts), *(slip for each in events.frictions for slip in each.slips)]
-    if any(name in movers_of(machine, each) for each in told):
+    if any(name in movers_of(machine, each) for each in told) or _is_framed(machine, point):
         return None
     along = move / np.linalg.norm(move)
     up = np.array([0.0, 0.0, 1.0]) if machine.down is None else -machine.down
@@ -76,6 +78,19 @@ def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] 
     up = up - (up @ along) * along
     size = float(np.linalg.norm(up))
     return (along, up / size) if size > HELD else None
+
+
+def _is_framed(machine: Machine, point: fx.FlatExpression) -> bool:
+    """Is the point the corner of something that is drawn by lines and slides with it?"""
+    own = places(machine, point)
+    for drawing in machine.flat.drawings:
+        if drawing.place != "between" or own is None:
+            continue
+        found = (places(machine, end) for end in drawing.anchors if not isinstance(end, str))
+        ends = [each for each in found if each is not None]
+        if len(ends) == 2 and constant(ends[1] - ends[0]) and min(np.abs(own - each).max() for each in ends) <= HELD:
+            return True
+    return False
 
 
 def _vector(values: Floats) -> fx.FlatExpression:

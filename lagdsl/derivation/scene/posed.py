@@ -1,4 +1,4 @@
-"""Where the parts of a scene stand at one row of a motion: the same placement for pictures, films and figures.
+"""The parts of a scene at their places at one row of a motion: one placement for pictures, films and figures.
 
 `web/src/shapes.ts` of the page has its counterpart, for motions that are integrated there.
 """

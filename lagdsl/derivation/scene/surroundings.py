@@ -1,4 +1,4 @@
-"""What a machine stands on and runs along, what acts on it, and what has no place: grounds, tracks, loads, gauges."""
+"""Around the masses of a machine: grounds, tracks, loads, frames, and gauges of coordinates without a place."""
 
 from __future__ import annotations
 

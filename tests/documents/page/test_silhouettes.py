@@ -27,7 +27,7 @@ _INK = 185  # darker than the grid, lighter than every part
 
 
 def shadow(pixels: np.ndarray) -> np.ndarray:
-    """What is drawn, in a box of 400 pixels."""
+    """All that is drawn, in a box of 400 pixels."""
     dark = pixels[..., :3].min(axis=-1) < _INK
     rows, columns = np.flatnonzero(dark.any(axis=1)), np.flatnonzero(dark.any(axis=0))
     cut = Image.fromarray(dark[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1])

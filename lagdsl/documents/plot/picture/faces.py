@@ -1,4 +1,4 @@
-"""What a picture is painted from: faces in space, ribbons along lines, words."""
+"""Pieces that a picture is painted from: faces in space, ribbons along lines, words."""
 
 from __future__ import annotations
 
