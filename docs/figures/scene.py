@@ -41,8 +41,9 @@ RULES: dict[str, tuple[str, tuple[float, ...]]] = {
         (),
     ),
     "frame": (
-        f"{_PENDULUM} frame A = world.rotz(q); point B = A.point({{0.9 m, -0.3 m, 0}}), C = A.point({{0.3 m, -0.6 m, 0}});"
-        "body link(m = 1 kg, com = {0.5 m, -0.3 m, 0}, Izz = 0.1 kg.m2) on A; force {2 N, -4 N} at B; force {-2 N, 0} at C;",
+        f"{_PENDULUM} frame A = world.rotz(q); point B = A.point({{0.9 m, -0.3 m, 0}}); force {{2 N, -4 N}} at B;"
+        "point C = A.point({0.3 m, -0.6 m, 0}); force {-2 N, 0} at C;"
+        "body link(m = 1 kg, com = {0.5 m, -0.3 m, 0}, Izz = 0.1 kg.m2) on A;",
         (),
     ),
     "wire": (

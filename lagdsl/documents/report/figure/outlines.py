@@ -6,11 +6,10 @@ from collections.abc import Callable
 from functools import cache
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from lagdsl.derivation.scene.forms import triangles
 from lagdsl.derivation.scene.posed import placed
+from lagdsl.foundation.numerics.connected_blocks import connected_blocks
 from lagdsl.foundation.numerics.rank import Floats
 
 
@@ -23,10 +22,10 @@ def outlines(form: str, matrix: Floats, project: Callable[[Floats], Floats]) -> 
 def _pieces(form: str) -> list[Floats]:
     """Points (n, 3) of the connected parts of a form."""
     mesh = triangles(form)
-    a, b = mesh.corners[:, (0, 1, 0)].ravel(), mesh.corners[:, (1, 2, 2)].ravel()
-    joined = coo_array((np.ones(len(a)), (a, b)), shape=(len(mesh.points),) * 2)
-    count, numbers = connected_components(joined, directed=False)
-    return [mesh.points[numbers == k] for k in range(count)]
+    touched = np.zeros((len(mesh.corners), len(mesh.points)), dtype=bool)
+    np.put_along_axis(touched, mesh.corners, True, axis=1)
+    labels = connected_blocks(touched).column_labels
+    return [mesh.points[labels == k] for k in np.unique(labels)]
 
 
 def _hull(points: list[Floats]) -> list[Floats]:
