@@ -19,9 +19,9 @@ from click.testing import CliRunner
 from fmi.described import of_text
 from fmi.exported import export_quickly
 from fmi.texts import export_text
-from lagdsl.documents.plot.picture.stage import stage_of
 
 import lagdsl
+from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.recording import record_motion
 from lagdsl.documents.plot.picture.shapes import parts_of
