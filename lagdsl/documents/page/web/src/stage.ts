@@ -336,8 +336,8 @@ export class Stage {
     const at = new Vector2(((x - bounds.left) / bounds.width) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
     const caster = new Raycaster();
     caster.setFromCamera(at, this.camera);
-    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
-    const hits = caster.intersectObjects([...this.drawn, ...arrows].map((drawn) => drawn.object));
+    const seen = [...this.drawn, ...(this.overlay?.drawn ?? [])].filter((drawn) => drawn.object.visible);
+    const hits = caster.intersectObjects(seen.map((drawn) => drawn.object));
     return (hits.find((hit) => hit.object.visible)?.object.userData.shape as Shape | undefined) ?? null;
   }
 
