@@ -22,6 +22,7 @@ from lagdsl.derivation.scene.machine import (
     straight,
 )
 from lagdsl.derivation.scene.shapes import Part, Shape, Size
+from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -276,7 +277,7 @@ class _Body:
         corners = self._corners()
         places = np.array([own for _, own in corners])
         axes = np.linalg.svd(places - places.mean(axis=0))[2][:2]
-        rim = _hull((places - places.mean(axis=0)) @ axes.T)
+        rim = hull((places - places.mean(axis=0)) @ axes.T)
         ends = zip(rim, rim[1:] + rim[:1], strict=True) if len(rim) > 2 else [(rim[0], rim[-1])]
         return [self._beam(corners[i][0], corners[j][0]) for i, j in ends]
 
@@ -347,23 +348,6 @@ class _Body:
         for term in terms[1:]:
             total = fx.Binary("+", total, term)
         return self._length(factor, total)
-
-
-def _hull(places: Floats) -> list[int]:
-    """Numbers of the corners of the convex hull of points (n, 2), in order."""
-    rim: list[int] = [int(np.lexsort((places[:, 1], places[:, 0]))[0])]
-    while True:
-        here, found = places[rim[-1]], -1
-        for k, place in enumerate(places):
-            if np.abs(place - here).max() <= HELD:
-                continue
-            turn = 1.0 if found < 0 else float(np.cross(places[found] - here, place - here))
-            farther = found >= 0 and np.linalg.norm(place - here) > np.linalg.norm(places[found] - here)
-            if found < 0 or turn < -HELD or (abs(turn) <= HELD and farther):
-                found = k
-        if found < 0 or len(rim) > len(places) or np.abs(places[found] - places[rim[0]]).max() <= HELD:
-            return rim
-        rim.append(found)
 
 
 def _rank(rows: Floats) -> int:
