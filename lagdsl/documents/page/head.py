@@ -7,12 +7,14 @@ from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
-from lagdsl.derivation.scene.shapes import Scene, Shape
+from lagdsl.derivation.scene.shapes import Part, Scene, Shape
+from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.derivation.structure.names import contact_rows
-from lagdsl.documents.page.meshes import PackedMesh, packed_meshes
+from lagdsl.documents.page.meshes import PackedMesh, packed_form, packed_meshes
 from lagdsl.documents.page.words import WORDS
-from lagdsl.documents.plot.picture.recording import Prepared, up_of
+from lagdsl.documents.plot.picture.recording import Prepared, rows_of_scene, up_of
 from lagdsl.engines.runtime.structures import WHAT
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
@@ -37,9 +39,10 @@ def head_of(
     span: tuple[float, float],
     tolerance: float,
     said: str,
+    motions: Sequence[Trajectory] = (),
 ) -> dict[str, Json]:
     """`motion` is that of `prepared` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said`
-    is what there is to say of it."""
+    is what there is to say of it. Sizes are chosen for all `motions`, without them for that one."""
     from lagdsl.derivation.textbook.provenance import sources
 
     model, living = prepared.own, prepared.living
@@ -47,7 +50,8 @@ def head_of(
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
     own = {parameter.name for parameter in model.parameters}
-    meshes, numbers, undrawn = packed_meshes(living.scene.shapes)
+    stage = stage_of(living.scene, rows_of_scene(living.scene, motions or [motion]), up_of(model, living.scene))
+    meshes, numbers, undrawn = packed_meshes(living.scene.shapes, stage.meshes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
     for name, others in other_names(model).items():
@@ -59,7 +63,16 @@ def head_of(
         "source": "" if source is None else source.text,
         "inks": "" if source is None else _inks(source.text),
         "planar": living.scene.planar,
-        "up": up_of(model, living.scene),
+        "stage": {
+            "axes": [axis.tolist() for axis in stage.axes],
+            "center": stage.center.tolist(),
+            "length": stage.length,
+            "scales": stage.scales,
+            "coil": coil().round(4).tolist()
+            if any(p.form == "coil" for s in stage.scene.shapes for p in s.parts)
+            else [],
+            "forms": _forms(stage),
+        },
         "start": span[0],
         "stop": span[1],
         "tolerance": tolerance,
@@ -137,6 +150,13 @@ def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
     return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
 
 
+def _forms(stage: Stage) -> Json:
+    """Unit bodies by name: those of the parts, and those that arrows need."""
+    surfaces = {part.form for shape in stage.scene.shapes for part in shape.parts if part.primitive == "surface"}
+    names = sorted({"cylinder", "cone", "turning arrow", *surfaces} - {"file"})
+    return {name: _mesh(packed_form(name, stage.around)) for name in names}
+
+
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
     minimum, maximum = _bounds(item)
     return {
@@ -187,15 +207,30 @@ def _mesh(mesh: PackedMesh) -> Json:
     }
 
 
+# Of these a page tells the values; places stand in the parts.
+_VALUES = frozenset({"vector", "value", "mode"})
+
+
 def _shape(shape: Shape, source: SourceFile | None) -> dict[str, Json]:
     return {
         "kind": shape.kind,
         "name": shape.name,
-        "numbers": dict(shape.numbers),
-        "vectors": list(shape.vectors),
+        "numbers": {role: column for role, column in shape.numbers if role in _VALUES},
+        "parts": [_part(part) for part in shape.parts],
         "texts": dict(shape.texts),
         "span": _span(shape.spans, source),
     }
+
+
+def _part(part: Part) -> Json:
+    """Without what it shares with most others."""
+    told: dict[str, Json] = {"primitive": part.primitive, "numbers": dict(part.numbers), "color": part.color}
+    if part.primitive in ("surface", "line"):
+        sizes = [[size.factor, -1 if size.column is None else size.column, size.relative] for size in part.sizes]
+        told |= {"form": part.form, "sizes": sizes}
+    usual = Part(numbers=())
+    names = ("shade", "opacity", "scale", "still", "offset", "count")
+    return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(usual, name)}}
 
 
 def _span(spans: Spans, source: SourceFile | None) -> Json:

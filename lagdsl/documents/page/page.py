@@ -69,8 +69,10 @@ def page(
     return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape, compiled)
 
 
-def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None) -> dict[str, Json]:
-    """The head of a page that begins with this motion."""
+def head_of_recording(
+    made: Recording, wishes: Wishes, source: SourceFile | None, motions: Sequence[Trajectory] = ()
+) -> dict[str, Json]:
+    """The head of a page that begins with this motion, of all its `motions`."""
     engine, t = made.prepared.engine, made.span[0]
     defaults = engine.evaluate("start", t, made.p)[3]
     flat = made.prepared.compilation.flat
@@ -84,6 +86,7 @@ def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None
         span=made.span,
         tolerance=made.tolerance,
         said=made.ended,
+        motions=motions,
     )
 
 

@@ -105,7 +105,7 @@ def test_a_place_goes_where_it_is_pulled_and_loops_stay_closed(tmp_path: Path) -
     head = elements.head
     names = [each["name"] for each in head["parameters"]]
     columns = [each["name"] for each in head["columns"]]
-    link = next(s for s in head["scene"]["shapes"] if "to" in s["numbers"])
+    link = next(p for s in head["scene"]["shapes"] for p in s["parts"] if "to" in p["numbers"])
     starts = [
         {"parameter": names.index(f"{name}.start"), "column": columns.index(name), "size": 1.0}
         for name in ("A.q", "B.q", "C.q")

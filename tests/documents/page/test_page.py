@@ -90,7 +90,7 @@ def test_the_recorded_motion_is_that_of_the_model() -> None:
 
 def _places(head: dict, table: np.ndarray, name: str) -> tuple[np.ndarray, np.ndarray]:  # type: ignore[type-arg]
     shape = next(shape for shape in head["scene"]["shapes"] if shape["name"] == name)
-    first = head["scene"]["first"] + shape["numbers"]["at"]
+    first = head["scene"]["first"] + shape["parts"][0]["numbers"]["at"]
     return table[first], table[first + 1]
 
 

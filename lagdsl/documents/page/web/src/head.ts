@@ -36,10 +36,25 @@ export interface Shape {
   kind: string;
   name: string;
   numbers: Record<string, number>; // role: column of the scene
-  vectors: string[];
+  parts: Part[];
   texts: Record<string, string>;
   span: Span | null;
   mesh?: number; // of Head.meshes
+}
+
+/** A primitive: what the fields mean stands in lagdsl/derivation/scene/shapes.py. */
+export interface Part {
+  primitive: "surface" | "line" | "trace" | "arrow" | "label";
+  numbers: Record<string, number>;
+  color: string;
+  form?: string;
+  sizes?: [factor: number, column: number, relative: boolean][];
+  shade?: number;
+  opacity?: number;
+  scale?: string;
+  still?: boolean;
+  offset?: number;
+  count?: number;
 }
 
 export interface PackedMesh {
@@ -56,7 +71,14 @@ export interface Head {
   version: string;
   source: string;
   planar: boolean;
-  up: [number, number, number];
+  stage: {
+    axes: [number, number, number][]; // right, up, back: as one first sees the machine
+    center: [number, number, number];
+    length: number;
+    scales: Record<string, number>;
+    coil: number[][]; // points of a unit coil
+    forms: Record<string, PackedMesh>;
+  };
   start: number;
   stop: number;
   tolerance: number;

@@ -434,7 +434,8 @@ async function main(): Promise<void> {
   const head = readHead();
   const meshes = await Promise.all(head.meshes.map(geometryOf));
   const motions = recorded(head, await inflated("motion"));
-  const stage = new Stage(head, together(motions), meshes, place("stage"));
+  const forms = Object.entries(head.stage.forms).map(async ([name, mesh]) => [name, await geometryOf(mesh)] as const);
+  const stage = new Stage(head, together(motions), meshes, new Map(await Promise.all(forms)), place("stage"));
   const [first] = motions;
   stage.pose(first, first.state(head.start, new Float64Array(first.width)), head.start);
   await shownOnce();

@@ -20,7 +20,7 @@ export interface Order {
 
 /** A place of the machine that is pulled to another one, as seen on the screen: both axes of that in `across`. */
 export interface Pull {
-  parts: [column: number, weight: number][]; // the place is the sum of these vectors of a row
+  parts: [column: number, weight: number, across?: number][]; // the place is the sum of these vectors of a row, or of their products with others
   goal: number[];
   across: number[][];
   starts: { parameter: number; column: number; size: number }[]; // that may change
@@ -35,6 +35,19 @@ export interface Answer {
   time: number; // at which the motion ended [s]
   took: number; // [ms]
   derivatives: Float64Array; // of the last row by each of Setup.by, a row each; empty where there are none
+}
+
+/** The place that is pulled, in a row. */
+export function placeIn(row: Float64Array, parts: Pull["parts"]): [number, number, number] {
+  const place: [number, number, number] = [0, 0, 0];
+  for (const [column, weight, across] of parts) {
+    for (let k = 0; k < 3; ++k) {
+      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+      const own = across === undefined ? row[column + k] : row[column + i] * row[across + j] - row[column + j] * row[across + i];
+      place[k] += weight * own;
+    }
+  }
+  return place;
 }
 
 /** The status of a motion that the model ended, */

@@ -5,7 +5,6 @@ import { type Camera, type Color, Mesh, MeshBasicMaterial, OrthographicCamera, P
 const CALM = 250;
 const LONGEST_CALM = 2000;
 const CALM_PICTURES = 4;
-const SMOOTH = 24; // so many shapes software draws in full detail
 const FINEST = 2;
 const VEIL = 0.75; // opacity of what makes a picture behind another one pale
 
@@ -42,11 +41,6 @@ export class Screen {
     this.canvas = this.renderer.domElement;
     this.fine = !this.software;
     this.ratio();
-  }
-
-  /** The part of the faces of round shapes that is drawn, where there are `count` of them. */
-  detail(count: number): number {
-    return this.software ? Math.min(1, Math.sqrt(SMOOTH / Math.max(count, 1))) : 1;
   }
 
   size(width: number, height: number): void {

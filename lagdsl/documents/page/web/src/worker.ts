@@ -1,5 +1,5 @@
 // Integrates motions with the runtime of lagdsl as WebAssembly. One motion a message; the newest message counts.
-import { INTERRUPTED, STOPPED, type Answer, type Order, type Pull, type Setup } from "./orders.ts";
+import { INTERRUPTED, placeIn, STOPPED, type Answer, type Order, type Pull, type Setup } from "./orders.ts";
 
 interface Lag {
   memory: WebAssembly.Memory;
@@ -152,7 +152,8 @@ class Session {
     const off = (): [number, number] | null => {
       if (this.begin(parameters) !== 0) return null;
       const row = new Float64Array(this.lag.memory.buffer, this.lag.lag_session_row(this.session), this.width);
-      const away = [0, 1, 2].map((k) => goal[k] - parts.reduce((sum, [column, weight]) => sum + weight * row[column + k], 0));
+      const place = placeIn(row, parts);
+      const away = [0, 1, 2].map((k) => goal[k] - place[k]);
       return [0, 1].map((i) => across[i].reduce((sum, part, k) => sum + part * away[k], 0)) as [number, number];
     };
     const changed = (changes: number[], part: number, from: number[]): void =>
