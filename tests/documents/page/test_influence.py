@@ -92,8 +92,8 @@ class TestInBrowser:
             change = np.degrees(derivative * 0.01 * value)
             assert rows[name][1] == "1 %"
             assert float(rows[name][2].replace("−", "-").split()[0]) == pytest.approx(change, rel=6e-3)
-        assert rows["a at the start"][1] == "1 deg" and rows["der(a) at the start"][1] == "1 deg/s"
-        assert [row[1] for row in told(page)[-2:]] == ["1 deg/s", "1 deg/s"]  # a hundredth of zero is nothing
+        assert rows["a at the start"][1] == "1 deg" and rows["der(a) at the start"][1] == "1 rad/s"
+        assert [row[1] for row in told(page)[-2:]] == ["1 rad/s", "1 rad/s"]  # a hundredth of zero is nothing
         sizes = [abs(float(row[2].replace("−", "-").split()[0])) for row in told(page)[:-2]]
         assert sizes == sorted(sizes, reverse=True)
         before = told(page)

@@ -61,7 +61,7 @@ def answered(
     by: Sequence[int] = (),
     pull: dict[str, Any] | None = None,
 ) -> tuple[int, dict[str, Any]]:
-    """Numbers of a row, and the answer of the worker to other values of sliders, with derivatives by the sliders `by`."""
+    """Numbers of a row, and the answer to other values of sliders; its derivatives are by the sliders `by`."""
     head = elements.head
     for part, file in (("worker", "worker.js"), ("wasm", "lag.wasm"), (tape, "model.tape")):
         (folder / file).write_bytes(elements.inflated(part))

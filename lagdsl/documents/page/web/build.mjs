@@ -3,12 +3,18 @@ import { createHash } from "node:crypto";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
-// Parts of shaders for materials that no shape has: three.js cannot leave them out by itself.
-const unused = /\b(var|const) ((?:clearcoat|iridescence|transmission|metalnessmap|roughnessmap|gradientmap|cube_uv|lights_(?:physical|toon|phong))\w*) = "(?:[^"\\]|\\.)*"/g;
+// Shaders, and parts of them, for materials that no shape has: three.js cannot leave them out by itself.
+const parts = /\b(var|const) ((?:clearcoat|iridescence|transmission|metalnessmap|roughnessmap|gradientmap|cube_uv|lights_(?:physical|toon|phong))\w*) = "(?:[^"\\]|\\.)*"/g;
+const wholes = /\b(?:background|backgroundCube|cube|depth|distance|equirect|linedashed|mesh(?:matcap|normal|phong|physical|toon)|points|shadow)_(?:vert|frag): ([\w$]+)/g;
+const without = (text) => {
+  const unused = new Set([...text.matchAll(wholes)].map(([, name]) => name));
+  const blank = (whole, name) => (unused.has(name) ? `const ${name} = ""` : whole);
+  return text.replace(parts, '$1 $2 = ""').replace(/\bconst ((?:vertex|fragment)\$\w+) = "(?:[^"\\]|\\.)*"/g, blank);
+};
 const shaders = {
   name: "shaders",
   setup: ({ onLoad }) =>
-    onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({ contents: (await readFile(path, "utf8")).replace(unused, '$1 $2 = ""'), loader: "js" })),
+    onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({ contents: without(await readFile(path, "utf8")), loader: "js" })),
 };
 const common = { bundle: true, minify: true, target: "es2022", format: "iife", legalComments: "none", logLevel: "warning" };
 await mkdir("dist", { recursive: true });
