@@ -94,7 +94,7 @@ typedef struct lag_collocation_system {
     double *z;               /* (stages, n) and what the stages add to it */
 } lag_collocation_system;
 
-/* Those of ROS2. */
+/* Arrays of ROS2. */
 typedef struct lag_rosenbrock_system {
     double *matrix, *pivots; /* (n, n) (n) decomposed */
     double *right, *k[2];    /* (n) each: of a column; stages of the state */
