@@ -69,7 +69,7 @@ def place_of_mass(page: Any) -> tuple[float, float]:
 def test_the_page_begins_with_the_sliders_and_curves_of_its_annotation(opened: Opened) -> None:
     page = opened.page
     assert page.locator("#sliders > label").all_inner_texts() == ["theta\ndeg", "l\nm"]
-    assert page.locator("#sliders > details:not(.influences):visible").count() == 2  # the other start, the other parameters
+    assert page.locator("#sliders > details:not(.influences):visible").count() == 2  # starts, parameters
     page.locator("#curves-tab").click()
     assert page.locator("#curves input:checked").count() == 1
     assert page.locator(".u-legend").first.inner_text().split()[-2:] != []
