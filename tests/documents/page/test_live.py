@@ -131,6 +131,36 @@ def test_a_place_goes_where_it_is_pulled_and_loops_stay_closed(tmp_path: Path) -
 
 
 @needs_node
+def test_a_place_of_a_body_that_turns_goes_where_it_is_pulled(tmp_path: Path) -> None:
+    """On the rim of a wheel, along its second axis, which is the product of those that a row has."""
+    elements = Elements(page_of("reaction_wheel_pendulum", 1.0))
+    head = elements.head
+    columns = [each["name"] for each in head["columns"]]
+    names = [each["name"] for each in head["parameters"]]
+    numbers = next(p["numbers"] for s in head["scene"]["shapes"] for p in s["parts"] if s["kind"] == "disc")
+    at, x, z = (head["scene"]["first"] + numbers[role] for role in ("at", "x", "z"))
+
+    def place(width: int, rows: list[float]) -> Floats:
+        row = np.array(rows[:width])
+        return np.asarray(row[at : at + 3] + 0.05 * np.cross(row[z : z + 3], row[x : x + 3]))
+
+    turned = {"phi.start": 1.0}  # else arm and axis are in line
+    width, answer = answered(elements, tmp_path, turned)
+    goal = place(width, answer["rows"]) + np.array([0.02, -0.01, 0.0])
+    pull = {
+        "parts": [[at, 1.0], [z, 0.05, x]],
+        "goal": goal.tolist(),
+        "across": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        "starts": [
+            {"parameter": names.index(f"{name}.start"), "column": columns.index(name), "size": 1.0}
+            for name in ("theta", "phi")
+        ],
+    }
+    width, answer = answered(elements, tmp_path, turned, pull=pull)
+    assert place(width, answer["rows"]) == pytest.approx(goal, abs=1e-6)
+
+
+@needs_node
 @pytest.mark.parametrize("name", chosen(CASES, ("bouncing_ball",)))
 def test_a_live_motion_is_that_of_the_command_line(name: str, tmp_path: Path) -> None:
     stop, parameters, start = CASES[name]
