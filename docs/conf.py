@@ -25,6 +25,7 @@ extensions = [
     "sphinx_click",
     "mathml_renderer",
     "generated_pages",
+    "living_pages",
     "notebook_pages",
     "search_scope",
 ]
@@ -48,7 +49,7 @@ TypeAliasForwardRef.__repr__ = lambda alias: alias.name  # type: ignore[method-a
 
 html_theme = "furo"
 html_title = "lagdsl"
-html_static_path = ["_static"]
+html_static_path = ["_static", "../lagdsl/documents/page/web/font/math.woff2"]
 html_css_files = ["site.css"]
 html_math_renderer = "mathml"
 html_copy_source = False

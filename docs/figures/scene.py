@@ -21,8 +21,34 @@ _BOB = "point P = {sin(q), -cos(q)} * (1 m);"
 # Name of the picture: statements of a model, and the times [s] that the picture shows.
 RULES: dict[str, tuple[str, tuple[float, ...]]] = {
     "mass": (
-        "coordinate Length x(start = 0.1 m); gravity = 0; mass 1 kg at {x, 0}; mass 8 kg at {x + 0.3 m, 0};"
-        "mass 0.1 kg at {x - 0.2 m, 0};",
+        "coordinate Length x(start = 0.1 m), y; gravity = 0; mass 1 kg at {x, y}; mass 8 kg at {x + 0.3 m, y};"
+        "mass 0.1 kg at {x - 0.2 m, y};",
+        (),
+    ),
+    "cart": (
+        f"coordinate Length x(start = 0.3 m); {_PENDULUM} mass 2 kg at {{x, 0}}; mass 1 kg at P;"
+        "point P = {x, 0} + {sin(q), -cos(q)} * (1 m); draw rod from {x, 0} to P; potential 0.5*(20 N/m)*x^2;",
+        (),
+    ),
+    "bar": (
+        f"parameter Length l = 1 m; {_PENDULUM} frame A = world.rotz(q);"
+        "body link(m = 1 kg, com = {0, -l/2, 0}, Izz = (1 kg)*l^2/12) on A;",
+        (),
+    ),
+    "wheel": (
+        f"parameter Length r = 0.3 m; {_PENDULUM} frame A = world.rotz(q); torque 2 N.m on q;"
+        "body disc(m = 1 kg, Izz = (1 kg)*r^2/2) on A;",
+        (),
+    ),
+    "frame": (
+        f"{_PENDULUM} frame A = world.rotz(q); point B = A.point({{0.9 m, -0.3 m, 0}}); force {{2 N, -4 N}} at B;"
+        "point C = A.point({0.3 m, -0.6 m, 0}); force {-2 N, 0} at C;"
+        "body link(m = 1 kg, com = {0.5 m, -0.3 m, 0}, Izz = 0.1 kg.m2) on A;",
+        (),
+    ),
+    "wire": (
+        "coordinate Length x(start = 0.2 m), y; gravity = -g_n*world.y; mass 1 kg at {x, y};"
+        "constraint wire: y = (0.2 m)*cos(x/(0.2 m));",
         (),
     ),
     "rod": (f"{_PENDULUM} {_BOB} mass 1 kg at P;", ()),

@@ -99,11 +99,32 @@ static void derivatives_are_those_of_the_closed_form(void)
     free(session);
 }
 
+/* The ball strikes the floor after sqrt(2 h/g); the controller looks every 0.05 s. A call tells what happened during it alone. */
+static void events_are_those_of_the_call(void)
+{
+    lag_session *session = open(&MACHINE, 1e-8);
+    const double *events = lag_session_events(session);
+    CHECK(lag_session_begin(session, 0.0) == LAG_OK && lag_session_to(session, 0.04, 0) == LAG_OK);
+    CHECK(events[0] == 0.0);
+    CHECK(lag_session_to(session, 0.095, 0) == LAG_OK);
+    int impacts = 0;
+    int ticks = 0;
+    for (int k = 0; k < (int)events[0]; ++k) {
+        const double *event = events + 1 + 3 * k;
+        impacts += event[1] == LAG_IMPACT && fabs(event[0] - sqrt(2.0 * 0.04 / 10.0)) < 1e-6 && event[2] == 0.0;
+        ticks += event[1] == LAG_TICK && fabs(event[0] - 0.05) < 1e-12;
+    }
+    CHECK(impacts == 1 && ticks == 1);
+    CHECK(lag_session_begin(session, 0.0) == LAG_OK && lag_session_to(session, 0.04, 0) == LAG_OK && events[0] == 0.0);
+    free(session);
+}
+
 int main(void)
 {
     derivatives_are_those_of_the_closed_form();
     rows_are_those_of_a_run();
     another_parameter_is_another_motion();
+    events_are_those_of_the_call();
     puts("session: ok");
     return EXIT_SUCCESS;
 }

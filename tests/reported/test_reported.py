@@ -21,10 +21,10 @@ from fmi.exported import export_quickly
 from fmi.texts import export_text
 
 import lagdsl
+from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.recording import record_motion
 from lagdsl.documents.plot.picture.shapes import parts_of
-from lagdsl.documents.plot.picture.stage import stage_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.runtime.engines.engine import EngineName
 from lagdsl.exchange.fmi.variables.ports import Ports

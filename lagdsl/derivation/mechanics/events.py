@@ -37,7 +37,8 @@ from lagdsl.language.flat.events import (
     entries,
 )
 from lagdsl.language.flat.expression import FlatExpression
-from lagdsl.language.flat.model import Experiment, FlatModel
+from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.quantity import Experiment
 from lagdsl.language.flat.ways import differentiated, positions
 
 # Of the length of the experiment: the time left of bounces below which a contact rests where no `t_eps` is given. The

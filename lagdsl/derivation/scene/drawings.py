@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import reduce
 from typing import cast
 
 from lagdsl.derivation.scene.shapes import Columns, Shape, ShapeKind
@@ -33,14 +35,14 @@ def is_mass_centre(drawing: fm.Drawing) -> bool:
 
 def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
     """The shape of one statement."""
-    numbers, vectors = dict(placed(drawing.anchors, columns)), []
-    texts = {}
+    numbers, texts = dict(placed(drawing.anchors, columns)), {}
     for role, value in drawing.arguments:
         if isinstance(value, str):
             texts[role] = value
+        elif role == "axis":
+            numbers[role] = columns.vector(_in_world(value, drawing.anchors[0]))
         elif is_vector(value):
-            numbers[role] = columns.vector(value)
-            vectors.append(role)
+            numbers["scales" if role == "scale" else role] = columns.vector(value)
         else:
             numbers[role] = columns.scalar(value)
     return Shape(
@@ -48,9 +50,24 @@ def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
         name=drawing.spans[0].text,
         numbers=tuple(numbers.items()),
         texts=tuple(texts.items()),
-        vectors=tuple(vectors),
         spans=drawing.spans,
     )
+
+
+def _in_world(axis: fx.FlatExpression, anchor: fx.FlatExpression | str) -> fx.FlatExpression:
+    """The direction that a vector has whose components are those along the axes of the frame of a shape."""
+    if not isinstance(anchor, str) or anchor == "world":
+        return axis
+    parts = tuple(fx.Component(axis, k) for k in range(3))
+    return along_axes(anchor, parts)
+
+
+def along_axes(frame: str, parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression:
+    """The vector with these components along the axes of a frame; those that are 0 are left out."""
+    terms = [
+        fx.Binary("*", part, fx.FrameAxis(frame, axis)) for axis, part in enumerate(parts) if part != fx.Number(0.0)
+    ]
+    return reduce(lambda total, term: fx.Binary("+", total, term), terms) if terms else fx.Vector(*([fx.ZERO] * 3))
 
 
 def placed(anchors: tuple[fx.FlatExpression | str, ...], columns: Columns) -> list[tuple[str, int]]:

@@ -6,23 +6,12 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from lagdsl.derivation.scene.drawings import drawn, is_mass_centre, is_symbol
-from lagdsl.derivation.scene.implied import (
-    arms,
-    bodies,
-    frames,
-    gauges,
-    grounds,
-    have_inertia,
-    is_planar,
-    levers,
-    loads,
-    machine_of,
-    masses,
-    rods,
-    ropes,
-    springs,
-)
+from lagdsl.derivation.scene.links import arms, rods, ropes, springs
+from lagdsl.derivation.scene.looks import dressed
+from lagdsl.derivation.scene.machine import machine_of
+from lagdsl.derivation.scene.masses import bodies, have_inertia, levers, masses
 from lagdsl.derivation.scene.shapes import Columns, Scene, Shape
+from lagdsl.derivation.scene.surroundings import frames, gauges, grounds, is_planar, loads, tracks
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.language.flat import expression as fx
@@ -43,7 +32,8 @@ class Living:
 
 
 def living(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
-    """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`."""
+    """The model with its scene. Start values that depend on parameters stay so, but for those named in `starts`
+    and those with a slider."""
     return with_scene(flat, scene_of(flat), starts)
 
 
@@ -53,7 +43,7 @@ def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -
         fm.Output(name=f"scene[{k}]", dimension=DIMENSIONLESS, value=value, spans=())
         for k, value in enumerate(scene.columns, 1)
     )
-    coordinates, own = _starts_as_parameters(flat, starts)
+    coordinates, own = _starts_as_parameters(flat, {*starts, *flat.page.sliders})
     changed = replace(
         flat,
         outputs=(*flat.outputs, *outputs),
@@ -78,10 +68,11 @@ def scene_of(flat: fm.FlatModel) -> Scene:
     shapes: list[Shape] = [drawn(drawing, columns) for drawing in seen]
     machine = machine_of(flat, columns)
     shapes += levers(machine, centres)
-    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, loads, gauges, frames):
+    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, tracks, loads, gauges, frames):
         if not (has_meshes and rule is arms):
             shapes += rule(machine)
-    return Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=is_planar(machine, shapes))
+    planar = is_planar(machine, shapes)
+    return Scene(shapes=dressed(shapes, planar), columns=tuple(columns.expressions), planar=planar)
 
 
 def _starts_as_parameters(

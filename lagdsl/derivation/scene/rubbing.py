@@ -12,7 +12,7 @@ from itertools import combinations
 
 import numpy as np
 
-from lagdsl.derivation.scene.implied import evaluator_at, normal_of, radius_at
+from lagdsl.derivation.scene.machine import evaluator_at, normal_of, radius_at
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record

@@ -26,6 +26,8 @@ ShapeKind: TypeAlias = Literal[
     "body",
     "rope",
     "ground",
+    "rail",
+    "track",
     "force",
     "torque",
     "frame",
@@ -39,25 +41,59 @@ ShapeKind: TypeAlias = Literal[
     "constraint",
     "friction",
 ]
-"""The shapes of `draw`, then those that the rules of `implied` add, then the arrows of `vectors`."""
+"""The shapes of `draw`, then those that the rules add, then the arrows of `vectors`."""
+
+
+Primitive: TypeAlias = Literal["surface", "line", "trace", "arrow", "label"]
+"""All that painters know: triangles of a unit body, a tube through points, the way of a point, an arrow, a text."""
+
+
+@record()
+class Size:
+    """`factor` times the scalar in a `column`, if there is one; `relative` to the length of the machine."""
+
+    factor: float
+    column: int | None = None
+    relative: bool = True
+
+
+@record(kw_only=True)
+class Part:
+    """A primitive and where it stands. `numbers` tells by role at which column of the scene a vector begins.
+
+    `at` is its origin, `z` its axis, `x` about the direction of its first axis, world axes where they are not given.
+    With `to` the axis leads there and the unit length along it is stretched to the distance. `sizes` [m] stretch the
+    unit lengths along the axes. An arrow leads to `to`, or along `vector`, whose length has the unit `scale`, of fixed
+    length without one; a surface with a `scale` is as large as its `z`. A line has its `points` (n vectors) or is the
+    coil of a spring; `sizes` ends with the radius of its tube. A `still` part does not move: it stands where the motion
+    begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade` times the color.
+    """
+
+    primitive: Primitive = "surface"
+    form: str = ""
+    numbers: tuple[tuple[str, int], ...]
+    sizes: tuple[Size, Size, Size] = (Size(1.0), Size(1.0), Size(1.0))
+    color: str = "#64748b"
+    shade: float = 1.0
+    opacity: float = 1.0
+    scale: str = ""
+    still: bool = False
+    offset: float = 0.0
+    count: int = 0
 
 
 @record(kw_only=True)
 class Shape:
-    """`numbers` tells by role the column of the scene at which a scalar stands or a vector (three columns) begins.
-
-    Roles: `at`, `to` positions [m]; `x`, `y`, `z` axes of a frame; `vector`, `normal` directions; `axis` a direction in
-    the axes of the frame; lengths `radius`, `length`, `width`, `height`, `size` [m]; `scale`, the length of a unit of
-    the `file` of a mesh [m], one for all axes or three; `mass` [kg], `com` [m]
-    and `inertia` [kg.m2] (six columns: xx, yy, zz, xy, xz, yz) in the axes of the frame; `value` of a coordinate or, in
-    one column or two, of the force of friction, with its `mode`.
+    """A thing with its parts. `numbers` tells by role the column of the scene at which a scalar stands or a vector
+    (three columns) begins: `at`, `to`, `vector`, `normal`, and `value` of a coordinate or, in one column or two, of the
+    force of friction, with its `mode`.
     """
 
     kind: ShapeKind
     name: str
     numbers: tuple[tuple[str, int], ...]
+    parts: tuple[Part, ...] = ()
     texts: tuple[tuple[str, str], ...] = ()
-    vectors: tuple[str, ...] = ()
     spans: Spans
 
 

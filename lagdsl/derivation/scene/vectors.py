@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from lagdsl.derivation.scene.living import Living, with_scene
+from lagdsl.derivation.scene.looks import dressed
 from lagdsl.derivation.scene.rubbing import Rubbing
 from lagdsl.derivation.scene.shapes import Columns, Scene, Shape, ShapeKind
 from lagdsl.foundation.record import record
@@ -52,7 +53,7 @@ def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     places = _places(flat)
     shapes = [shape for rule in (_velocities, _accelerations, _admissible) for shape in rule(flat, places, columns)]
     shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns), *_frictions(flat, columns)]
-    scene = Scene(shapes=tuple(shapes), columns=tuple(columns.expressions), planar=False)
+    scene = Scene(shapes=dressed(shapes, planar=False), columns=tuple(columns.expressions), planar=False)
     return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
 
 

@@ -6,26 +6,31 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
-from lagdsl.derivation.scene.living import Living
-from lagdsl.derivation.scene.shapes import Scene, Shape
+from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.scene.forms import coil
+from lagdsl.derivation.scene.living import START
+from lagdsl.derivation.scene.shapes import Part, Scene, Shape
+from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.derivation.structure.names import contact_rows
-from lagdsl.documents.page.meshes import PackedMesh, packed_meshes
+from lagdsl.documents.page.meshes import PackedMesh, packed_form, packed_meshes
 from lagdsl.documents.page.words import WORDS
-from lagdsl.documents.plot.picture.recording import up_of
+from lagdsl.documents.plot.picture.recording import Prepared, rows_of_scene, up_of
+from lagdsl.engines.runtime.structures import WHAT
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
 from lagdsl.language.flat.display import Display, display
+from lagdsl.language.flat.events import Contact, Entry, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
 from lagdsl.language.settings.aliases import other_names
 from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.simulate.table import event_names
 
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
 
 
 def head_of(
-    model: FlatModel,
-    living: Living,
+    prepared: Prepared,
     motion: Trajectory,
     *,
     p: Sequence[float],
@@ -34,16 +39,19 @@ def head_of(
     span: tuple[float, float],
     tolerance: float,
     said: str,
+    motions: Sequence[Trajectory] = (),
 ) -> dict[str, Json]:
-    """`motion` is that of `living` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said` is
-    what there is to say of it."""
+    """`motion` is that of `prepared` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said`
+    is what there is to say of it. Sizes are chosen for all `motions`, without them for that one."""
     from lagdsl.derivation.textbook.provenance import sources
 
+    model, living = prepared.own, prepared.living
     count = len(living.scene.columns)
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
     own = {parameter.name for parameter in model.parameters}
-    meshes, numbers, undrawn = packed_meshes(living.scene.shapes)
+    stage = stage_of(living.scene, rows_of_scene(living.scene, motions or [motion]), up_of(model, living.scene))
+    meshes, numbers, undrawn = packed_meshes(living.scene.shapes, stage.meshes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
     for name, others in other_names(model).items():
@@ -53,8 +61,18 @@ def head_of(
         "doc": model.doc,
         "version": __version__,
         "source": "" if source is None else source.text,
+        "inks": "" if source is None else _inks(source.text),
         "planar": living.scene.planar,
-        "up": up_of(model, living.scene),
+        "stage": {
+            "axes": [axis.tolist() for axis in stage.axes],
+            "center": stage.center.tolist(),
+            "length": stage.length,
+            "scales": stage.scales,
+            "coil": coil().round(4).tolist()
+            if any(p.form == "coil" for s in stage.scene.shapes for p in s.parts)
+            else [],
+            "forms": _forms(stage),
+        },
         "start": span[0],
         "stop": span[1],
         "tolerance": tolerance,
@@ -63,7 +81,7 @@ def head_of(
                 "name": column.name,
                 "kind": column.kind,
                 "unit": column.unit,
-                "display": _display(column.display),
+                "display": _display(_rate(column.display) if column.kind == "rate" else column.display),
                 "doc": docs.get(column.name),
             }
             for column in motion.columns[:first]
@@ -77,12 +95,66 @@ def head_of(
             for item, value in zip(independent, p, strict=True)
         ],
         "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
+        "sliders": _sliders(model, living.flat),
+        "curves": list(model.page.curves),
         "lasting": sorted(contact_rows(model)),
         "differentiable": not model.events.delays,
         "said": " ".join(filter(None, (said, undrawn))),
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
+        "blamed": {
+            "entries": [_named(each) for each in entries(living.flat.events)],
+            "rows": [slot.name for slot in prepared.engine.layout.constraints],
+            "coordinates": [coordinate.name for coordinate in model.coordinates],
+        },
+        "event_names": [_event_names(living.flat, prepared.engine.layout, kind) for kind in WHAT],
     }
+
+
+def _inks(text: str) -> str:
+    """Of each character, counted as JavaScript does, the first letter of its kind in the colours of the editors."""
+    from lagdsl.language.highlight.pygments_lexer import TOKENS, LagLexer
+    from lagdsl.language.highlight.rules import Kind
+
+    plain = (Kind.NAME, Kind.MARK, Kind.OPERATOR)
+    letters = {token: kind.value[0] for kind, token in TOKENS.items() if kind not in plain}
+    found = LagLexer().get_tokens_unprocessed(text)
+    return "".join(letters.get(token, " ") * (len(value.encode("utf-16-le")) // 2) for _, token, value in found)
+
+
+def _sliders(model: FlatModel, living: FlatModel) -> list[str]:
+    """The controls that the page begins with: those of the annotation, else inputs, own parameters, scalars of
+    components, and starts that are fixed, else written. Vectors of components are axes and mass centres."""
+    if model.page.sliders:
+        known = {item.name for item in (*living.parameters, *living.inputs)}
+        return [name if name in known else name + START for name in model.page.sliders]
+    every = [(c.name + START, c.fixed, c.start_explicit) for c in model.coordinates]
+    every += [(f"der({c.name}){START}", c.rate_fixed, c.rate_start_explicit) for c in model.coordinates]
+    fixed, written = ([name for name, *flags in every if flags[k]] for k in (0, 1))
+    own = [p.name for p in model.parameters if not p.structural and not ("." in p.name and p.name.endswith("]"))]
+    return [*(fixed or written), *own, *(item.name for item in model.inputs)]
+
+
+def _rate(shown: Display) -> Display:
+    """People read spins in rad/s and currents in A, which are the SI units."""
+    read = {"deg/s": "rad/s", "C/s": "A"}.get(shown.unit)
+    return shown if read is None else Display(read)
+
+
+def _named(entry: Entry) -> str:
+    """A contact or a friction by its own name, anything else by its condition."""
+    return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
+
+
+def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
+    return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
+
+
+def _forms(stage: Stage) -> Json:
+    """Unit bodies by name: those of the parts, and those that arrows need."""
+    surfaces = {part.form for shape in stage.scene.shapes for part in shape.parts if part.primitive == "surface"}
+    names = sorted({"cylinder", "cone", "turning arrow", *surfaces} - {"file"})
+    return {name: _mesh(packed_form(name, stage.around)) for name in names}
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
@@ -90,7 +162,7 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
     return {
         "name": item.name,
         "doc": item.doc,
-        "display": _display(display(item)),
+        "display": _display(_rate(display(item)) if item.name.startswith("der(") else display(item)),
         "value": value,
         "minimum": _finite(minimum),
         "maximum": _finite(maximum),
@@ -135,15 +207,30 @@ def _mesh(mesh: PackedMesh) -> Json:
     }
 
 
+# Of these a page tells the values; places stand in the parts.
+_VALUES = frozenset({"vector", "value", "mode"})
+
+
 def _shape(shape: Shape, source: SourceFile | None) -> dict[str, Json]:
     return {
         "kind": shape.kind,
         "name": shape.name,
-        "numbers": dict(shape.numbers),
-        "vectors": list(shape.vectors),
+        "numbers": {role: column for role, column in shape.numbers if role in _VALUES},
+        "parts": [_part(part) for part in shape.parts],
         "texts": dict(shape.texts),
         "span": _span(shape.spans, source),
     }
+
+
+def _part(part: Part) -> Json:
+    """Without what it shares with most others."""
+    told: dict[str, Json] = {"primitive": part.primitive, "numbers": dict(part.numbers), "color": part.color}
+    if part.primitive in ("surface", "line"):
+        sizes = [[size.factor, -1 if size.column is None else size.column, size.relative] for size in part.sizes]
+        told |= {"form": part.form, "sizes": sizes}
+    usual = Part(numbers=())
+    names = ("shade", "opacity", "scale", "still", "offset", "count")
+    return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(usual, name)}}
 
 
 def _span(spans: Spans, source: SourceFile | None) -> Json:

@@ -49,7 +49,7 @@ def modes_page(
         raise ValueError(f"{modes.model} has no mode that moves: {why}")
     still = recording_of(prepared, States(points=[modes.point], p=p), "modes")
     runs = [run for i in shown for run in _runs(prepared, modes, i, p, still.motion)]
-    head = head_of_recording(still, Wishes(), source)
+    head = head_of_recording(still, Wishes(), source, [run.motion for run in runs])
     told: dict[str, Json] = {
         "modes": [_told(modes, i) for i in shown],
         "levels": [name for name, _ in LEVELS],

@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from lagdsl.documents.page.arrows import arrows
+from lagdsl.documents.page.digits import digits
 from lagdsl.documents.page.head import Json, head_of
 from lagdsl.documents.plot.picture.recording import Recording, record_motion
 from lagdsl.documents.plot.picture.wishes import Wishes
@@ -68,15 +69,16 @@ def page(
     return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape, compiled)
 
 
-def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None) -> dict[str, Json]:
-    """The head of a page that begins with this motion."""
+def head_of_recording(
+    made: Recording, wishes: Wishes, source: SourceFile | None, motions: Sequence[Trajectory] = ()
+) -> dict[str, Json]:
+    """The head of a page that begins with this motion, of all its `motions`."""
     engine, t = made.prepared.engine, made.span[0]
     defaults = engine.evaluate("start", t, made.p)[3]
     flat = made.prepared.compilation.flat
     u = signals(flat, defaults, wishes.inputs, made.span, Sink(), speeds=engine.layout.speeds).at(t)
     return head_of(
-        made.prepared.own,
-        made.prepared.living,
+        made.prepared,
         made.motion,
         p=made.p.tolist(),
         u=u.tolist(),
@@ -84,6 +86,7 @@ def head_of_recording(made: Recording, wishes: Wishes, source: SourceFile | None
         span=made.span,
         tolerance=made.tolerance,
         said=made.ended,
+        motions=motions,
     )
 
 
@@ -149,6 +152,7 @@ def html_of(
         "tape": _packed(model_tape),
         **({"vectors": _packed(arrow_tape)} if arrow_tape else {}),
         "motion": _packed(motion),
+        "font": digits((page_folder() / "font" / "math.woff2").read_bytes()),
     }
     blocks = "".join(f'<script type="text/plain" id="{name}">{text}</script>\n' for name, text in data.items())
     notices = (folder / "licenses.txt").read_text(encoding="utf-8").replace("--", "- -")
@@ -197,7 +201,7 @@ def _packed_file(path: Path) -> str:
 
 
 def _packed(data: bytes) -> str:
-    return b64encode(zlib.compress(data, 9)).decode()
+    return digits(zlib.compress(data, 9))
 
 
 def _json(head: Json) -> str:

@@ -93,7 +93,7 @@ def sweep_page(
         for diagnostic in failures[0].diagnostics:
             sink.add(diagnostic)
     first, own = found[0]
-    head = head_of_recording(first, replace(wishes, inputs=own.inputs), source)
+    head = head_of_recording(first, replace(wishes, inputs=own.inputs), source, [run.motion for run in runs])
     compiled = prepared.compilation
     if len({_identity(setting.inputs) for setting in settings}) > 1:  # sliders of inputs are those of one run
         return page_of_runs(flat, head, runs, compilation=compiled)

@@ -14,6 +14,16 @@ class Name:
 
 
 @dataclass(frozen=True, slots=True)
+class VectorName(Name):
+    """The letter of a vector, in bold italics where there are such: `r`, `ω`."""
+
+
+def bold(box: Box) -> Box:
+    """A letter as that of a vector; other forms of it, as 𝐫, are bold by themselves."""
+    return VectorName(box.text) if isinstance(box, Name) and len(box.text) == 1 and box.text.isalpha() else box
+
+
+@dataclass(frozen=True, slots=True)
 class Upright:
     """A function name, or plain words inside a formula."""
 

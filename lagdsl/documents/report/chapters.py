@@ -10,7 +10,7 @@ from typing import assert_never
 import numpy as np
 
 from lagdsl.derivation.textbook.familiar import Familiar
-from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright
+from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright, bold
 from lagdsl.documents.report.boxes import Number as Digits
 from lagdsl.documents.report.document import Block, Code, Equation, Equations, Heading, Inline, Paragraph, Table, text
 from lagdsl.documents.report.notation import dotted
@@ -57,9 +57,9 @@ def kinematics(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
             rows.append((frame.name, parent, ", ".join(_step(step, zeros) for step in frame.steps)))
     if not rows:
         return []
-    spin, speed, turn, way = letter("ω"), letter("v"), Name("q"), Name("s")
+    spin, speed, turn, way = bold(letter("ω")), bold(letter("v")), Name("q"), Name("s")
     a, b, n = Upright("a"), Upright("b"), Name("n")
-    arm = Row((Subscript(letter("r"), Row((a, b))),))
+    arm = Row((Subscript(bold(letter("r")), Row((a, b))),))
     carried = Sum(
         (
             ("+", Subscript(speed, a)),
@@ -104,7 +104,7 @@ def energies(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
 def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...]:
     """T of each carrier, and the sums over all."""
     i, half = Upright("i"), Digits("½")
-    v, w = (Subscript(letter(each), i) for each in ("v", "ω"))
+    v, w = (Subscript(bold(letter(each)), i) for each in ("v", "ω"))
     m, tensor = (Subscript(Name(each), i) for each in ("m", "I"))
     sigma, dot = Upright("Σ"), Operator("·")
     own = Sum((("+", Row((half, m, v, dot, v))), ("+", Row((half, w, dot, tensor, w)))))
@@ -112,7 +112,7 @@ def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...
     whole = Equation(letter("T"), Row((sigma, Subscript(letter("T"), i))))
     lines = [kinetic, whole]
     if flat.gravity is not None:
-        fall = Row((sigma, m, Name("𝐠"), dot, Subscript(letter("r"), i)))
+        fall = Row((sigma, m, Name("𝐠"), dot, Subscript(bold(letter("r")), i)))
         lines.append(Equation(letter("V"), Sum((("-", fall),))))
     return tuple(lines)
 

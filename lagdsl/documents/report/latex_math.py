@@ -53,6 +53,8 @@ def _named(character: str) -> str:
 def tex(box: boxes.Box) -> str:  # noqa: C901, PLR0912
     """The box for math mode."""
     match box:
+        case boxes.VectorName(text):
+            return rf"\boldsymbol{{{_SYMBOLS.get(text, text)}}}"
         case boxes.Name(text):
             return _SYMBOLS.get(text) or (text if len(text) == 1 and text in ascii_letters else _word(text, "it"))
         case boxes.Upright(text):

@@ -11,6 +11,18 @@ from lagdsl.documents.report.unit_text import readable_unit
 _THIN = '<mspace width="0.17em"></mspace>'
 
 
+_BOLD_ITALIC = {"A": 0x1D468, "a": 0x1D482, "Α": 0x1D71C, "α": 0x1D736}  # first of a row: the letter, its bold form
+_LETTERS = 25
+
+
+def bold_italic(text: str) -> str:
+    """A letter as Unicode has it among the mathematical alphabets; any other text as it is."""
+    for first, row in _BOLD_ITALIC.items():
+        if len(text) == 1 and 0 <= ord(text) - ord(first) <= _LETTERS:
+            return chr(row + ord(text) - ord(first))
+    return text
+
+
 def mathml(box: boxes.Box, *, display: bool = False) -> str:
     block = ' display="block"' if display else ""
     return f"<math{block}>{element(box)}</math>"
@@ -19,6 +31,8 @@ def mathml(box: boxes.Box, *, display: bool = False) -> str:
 def element(box: boxes.Box) -> str:  # noqa: C901, PLR0912
     """The box as one element."""
     match box:
+        case boxes.VectorName(text):
+            return f"<mi>{escape(bold_italic(text))}</mi>"
         case boxes.Name(text):
             return f"<mi>{escape(text)}</mi>" if len(text) == 1 else f'<mi class="word">{escape(text)}</mi>'
         case boxes.Upright(text):

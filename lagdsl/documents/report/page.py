@@ -14,7 +14,7 @@ from lagdsl.derivation.textbook.geometry import Vector
 from lagdsl.derivation.textbook.reading import STANDARD_GRAVITY
 from lagdsl.derivation.textbook.recipe import Derivation
 from lagdsl.derivation.textbook.small_motions.study import Study
-from lagdsl.documents.report.boxes import Box, Bracket, Column, Derivative, Name, Operator, Row, Subscript, Sum
+from lagdsl.documents.report.boxes import Box, Bracket, Column, Derivative, Name, Operator, Row, Subscript, Sum, bold
 from lagdsl.documents.report.dimensions import Units
 from lagdsl.documents.report.document import Equation
 from lagdsl.documents.report.names import carrier_labels
@@ -53,6 +53,11 @@ class Page:
     @property
     def lagrangian(self) -> Box:
         return self.notation.letter("L")
+
+    def vector_letter(self, letter: str) -> Box:
+        """In bold; a spin about the normal of the plane is a number."""
+        found = self.notation.letter(letter)
+        return found if letter in "ωM" and self.planar else bold(found)
 
     def by_time(self) -> Box:
         """The bare operator d/dt."""

@@ -15,7 +15,7 @@ from lagdsl.foundation.source import Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.language.flat.events import Events
 from lagdsl.language.flat.expression import FlatExpression
-from lagdsl.language.flat.quantity import Item, Measurement, Quantity, Variability
+from lagdsl.language.flat.quantity import Experiment, Item, Measurement, Page, Quantity, Variability
 
 
 @record(kw_only=True)
@@ -359,15 +359,6 @@ class Drawing(Item):
     anchors: tuple[FlatExpression | str, ...]
 
 
-@record(kw_only=True)
-class Experiment:
-    start_time: float = 0.0
-    stop_time: float = 10.0
-    tolerance: float = 1e-8
-    interval: float | None = None
-    stop_time_explicit: bool = False
-
-
 @record(kw_only=True, weak=True)
 class FlatModel:
     """One complete model. `observed` are named values that need the solved motion: nothing refers to them by name."""
@@ -397,3 +388,4 @@ class FlatModel:
     observed: tuple[Definition, ...] = ()
     aliases: tuple[Alias, ...] = ()
     measurements: tuple[Measurement, ...] = ()
+    page: Page = Page()

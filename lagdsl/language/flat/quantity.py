@@ -1,4 +1,4 @@
-"""Fields of every named or declared item of the flat model, and measurements of such items."""
+"""Fields of every named or declared item of the flat model, measurements of such items, and annotations."""
 
 from __future__ import annotations
 
@@ -91,3 +91,21 @@ class Measurement(Item):
     dimension: Dimension
     sigma: float | None
     stated: bool
+
+
+@record(kw_only=True)
+class Experiment:
+    start_time: float = 0.0
+    stop_time: float = 10.0
+    tolerance: float = 1e-8
+    interval: float | None = None
+    stop_time_explicit: bool = False
+
+
+@record(kw_only=True)
+class Page:
+    """Names of parameters, inputs, coordinates, rates for `sliders`, of columns of results for `curves`; none chooses
+    the page itself."""
+
+    sliders: tuple[str, ...] = ()
+    curves: tuple[str, ...] = ()

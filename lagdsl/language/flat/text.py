@@ -18,7 +18,7 @@ from lagdsl.language.flat.display import display
 from lagdsl.language.flat.event_text import event_sections
 from lagdsl.language.flat.expression_text import flat_expression_text as text_of
 from lagdsl.language.flat.expression_text import number_text
-from lagdsl.language.flat.quantity import Item, Measurement, Quantity
+from lagdsl.language.flat.quantity import Experiment, Item, Measurement, Page, Quantity
 from lagdsl.language.flat.spans import place
 
 _WIDEST = 72  # columns after which a place is no longer aligned with the others
@@ -52,6 +52,7 @@ def flat_text(flat: fm.FlatModel) -> str:
     lines += _section("assertions", [_assertion(assertion) for assertion in flat.assertions])
     lines += _section("drawings", [_drawing(drawing) for drawing in flat.drawings])
     lines += _section("experiment", [_experiment(flat.experiment)])
+    lines += _section("page", _page(flat.page))
     return "".join(f"{line}\n" for line in lines)
 
 
@@ -262,11 +263,16 @@ def _shown(value: fx.FlatExpression | str) -> str:
     return value if isinstance(value, str) else text_of(value)
 
 
-def _experiment(experiment: fm.Experiment) -> _Line:
+def _experiment(experiment: Experiment) -> _Line:
     parts = [f"{number_text(experiment.start_time)} to {number_text(experiment.stop_time)} s"]
     parts.append(f"tolerance {number_text(experiment.tolerance)}")
     parts += [f"interval {number_text(experiment.interval)} s"] if experiment.interval is not None else []
     return _Line(", ".join(parts), None)
+
+
+def _page(page: Page) -> list[_Line]:
+    chosen = {"sliders": page.sliders, "curves": page.curves}
+    return [_Line(f"{title} {', '.join(names)}", None) for title, names in chosen.items() if names]
 
 
 def _doc(doc: str | None) -> str:

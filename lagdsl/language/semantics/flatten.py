@@ -20,6 +20,7 @@ from lagdsl.language.semantics.classes.conditional_components import check_switc
 from lagdsl.language.semantics.classes.declare import instance_of
 from lagdsl.language.semantics.classes.expand import collect
 from lagdsl.language.semantics.classes.inheritance import expand_short
+from lagdsl.language.semantics.classes.page import page
 from lagdsl.language.semantics.classes.selection import file_scope, functions_of, select
 from lagdsl.language.semantics.discontinuities.discontinuities import discontinuities
 from lagdsl.language.semantics.discontinuities.sampled import sampled_corners
@@ -130,7 +131,9 @@ def _flatten(ctx: Context, unit: nodes.Unit, name: str | None, incomplete: bool)
     if ctx.sink.has_errors:
         return None
     warn_unused_imports(ctx, outer, unit)
-    return _checked(ctx, flat, contents)
+    checked = _checked(ctx, flat, contents)
+    controls = page(ctx, flat, contents.annotations)  # afterwards: a name that only controls have is an unused one
+    return None if checked is None or ctx.sink.has_errors else replace(checked, page=controls)
 
 
 def _model(ctx: Context, node: nodes.Class, contents: Contents, assembly: Assembly) -> FlatModel:

@@ -54,7 +54,8 @@ def trajectory(
 
 def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str, int]]) -> tuple[Event, ...]:
     """The notes of a run with the names of what something happened to."""
-    return tuple(Event(time=t, name=_name(flat, layout, what, which), kind=what) for t, what, which in notes)
+    names = event_names(flat, layout)
+    return tuple(Event(time=t, name=names[what][which], kind=what) for t, what, which in notes)
 
 
 def differentiated(events: tuple[Event, ...], names: Sequence[str], times: Floats) -> tuple[Event, ...]:
@@ -75,22 +76,19 @@ def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
     )
 
 
-def _name(flat: FlatModel, layout: Layout, what: str, which: int) -> str:
-    """Of what something happened to."""
-    match what:
-        case "tick":
-            return flat.events.clocks[which].name
-        case "true" | "false" | "jump":
-            known = len(flat.events.relations)
-            return flat.events.relations[which].name if which < known else flat.events.timed[which - known].name
-        case "slips" | "sticks" | "reverses":
-            return flat.events.frictions[which].name
-        case "reinit":
-            return layout.instants.resets[which]
-        case "terminate":
-            return layout.instants.stops[which]
-        case _:
-            return flat.events.contacts[which].name
+def event_names(flat: FlatModel, layout: Layout) -> dict[str, Sequence[str]]:
+    """By kind of event, the names of what it may happen to, in the order of the runtime."""
+    contacts = [each.name for each in flat.events.contacts]
+    frictions = [each.name for each in flat.events.frictions]
+    relations = [*(each.name for each in flat.events.relations), *(each.name for each in flat.events.timed)]
+    return {
+        "tick": [each.name for each in flat.events.clocks],
+        **dict.fromkeys(("true", "false", "jump"), relations),
+        **dict.fromkeys(("slips", "sticks", "reverses"), frictions),
+        **dict.fromkeys(("opened", "closed", "impact"), contacts),
+        "reinit": layout.instants.resets,
+        "terminate": layout.instants.stops,
+    }
 
 
 @remembered

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import zlib
-from base64 import b64decode
+from base64 import b85decode
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -27,6 +27,10 @@ def page_of(source: str, stop: float | None = None) -> str:
     flat = flatten_file(file, sink)
     assert flat is not None, sink.diagnostics
     return page(flat, Wishes(stop=stop), source=file, sink=sink)
+
+
+def inflated(digits: str) -> bytes:
+    return zlib.decompress(b85decode(digits.replace(",", "<")))
 
 
 class Elements(HTMLParser):
@@ -61,4 +65,4 @@ class Elements(HTMLParser):
         return found
 
     def inflated(self, name: str) -> bytes:
-        return zlib.decompress(b64decode(self.texts[name]))
+        return inflated(self.texts[name])

@@ -66,6 +66,7 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     page.wait_for_selector("html[data-arrows]", timeout=MOST_MILLISECONDS, state="attached")
     assert "reaction: longest" in page.locator("#legend").inner_text()
     assert "torque" not in page.locator("#legend").inner_text()  # pins: a rounding of forces is no torque
+    assert "longest ∂r/∂A.q: " in page.locator("#legend").inner_text()
     page.get_by_label("The coordinate that moves").select_option("A.q")
     speeds = page.get_by_role("button", name="v", exact=True)
     for key in ("+", "-", "g", "v", "f"):
@@ -147,6 +148,7 @@ def test_a_motion_that_leaves_the_picture_is_taken_into_it(browser: Any, tmp_pat
         return data.filter((_, i) => i % 4 === 0 && data[i + 2] > 2 * data[i] + 40).length;
     }"""
     recorded = page.evaluate(blue)
+    page.evaluate("document.querySelectorAll('#sliders details').forEach((each) => (each.open = true))")
 
     def put(x: str) -> None:
         page.get_by_label("x.start in m").fill(x)
@@ -187,13 +189,14 @@ def test_one_sees_a_ball_turn(browser: Any, tmp_path: Path) -> None:
     page.close()
 
 
-def test_ticks_of_many_events_reach_to_the_end(browser: Any, tmp_path: Path) -> None:
+def test_clocks_are_a_density_to_the_end_and_no_red_band(browser: Any, tmp_path: Path) -> None:
     """Of two thousand samples only the first four hundred were marked: the control seemed to end after two seconds."""
     path = tmp_path / "page.html"
     path.write_text(page_of("furuta_swing_up"), encoding="utf-8")
     page = Opened(browser, path).page
-    places = page.evaluate("[...document.querySelectorAll('.ticks i')].map((tick) => parseFloat(tick.style.left))")
-    assert len(places) <= 401 and max(places) > 99.0
+    shades = page.evaluate("[...document.querySelectorAll('.ticks b')].map((part) => parseFloat(part.style.opacity))")
+    assert len(shades) == 100 and min(shades) > 0.0
+    assert page.locator(".ticks i.tick").count() == 0
     page.close()
 
 

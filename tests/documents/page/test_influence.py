@@ -50,7 +50,7 @@ def test_derivatives_of_the_end_are_those_of_python(name: str, tmp_path: Path) -
     elements = Elements(page_of(name, stop))
     head = elements.head
     sliders = [each["name"] for each in head["parameters"]]
-    width, answer = answered(elements, tmp_path, {}, {}, by=[sliders.index(each) for each in by])
+    width, answer = answered(elements, tmp_path, {}, by=[sliders.index(each) for each in by])
     assert answer["status"] == 0
     found = np.array(answer["derivatives"]).reshape(len(by), width)
     model = compile_model(MODELS / f"{name}.lag", engine="tape")
@@ -65,7 +65,7 @@ def test_derivatives_of_the_end_are_those_of_python(name: str, tmp_path: Path) -
 @needs_node
 def test_a_guard_that_is_only_touched_has_words_and_no_derivatives(tmp_path: Path) -> None:
     elements = Elements(page_of(GRAZING, 2.0))
-    _, answer = answered(elements, tmp_path, {}, {}, by=[0])
+    _, answer = answered(elements, tmp_path, {}, by=[0])
     assert answer["status"] == Status.GRAZING and answer["derivatives"] == []
     assert elements.head["words"][str(int(Status.GRAZING))] == WORDS[Status.GRAZING]
     assert answer["time"] == pytest.approx(1.0, abs=1e-3)
@@ -92,8 +92,8 @@ class TestInBrowser:
             change = np.degrees(derivative * 0.01 * value)
             assert rows[name][1] == "1 %"
             assert float(rows[name][2].replace("−", "-").split()[0]) == pytest.approx(change, rel=6e-3)
-        assert rows["a at the start"][1] == "1 deg" and rows["der(a) at the start"][1] == "1 deg/s"
-        assert [row[1] for row in told(page)[-2:]] == ["1 deg/s", "1 deg/s"]  # a hundredth of zero is nothing
+        assert rows["a at the start"][1] == "1 deg" and rows["der(a) at the start"][1] == "1 rad/s"
+        assert [row[1] for row in told(page)[-2:]] == ["1 rad/s", "1 rad/s"]  # a hundredth of zero is nothing
         sizes = [abs(float(row[2].replace("−", "-").split()[0])) for row in told(page)[:-2]]
         assert sizes == sorted(sizes, reverse=True)
         before = told(page)

@@ -90,7 +90,7 @@ def test_the_recorded_motion_is_that_of_the_model() -> None:
 
 def _places(head: dict, table: np.ndarray, name: str) -> tuple[np.ndarray, np.ndarray]:  # type: ignore[type-arg]
     shape = next(shape for shape in head["scene"]["shapes"] if shape["name"] == name)
-    first = head["scene"]["first"] + shape["numbers"]["at"]
+    first = head["scene"]["first"] + shape["parts"][0]["numbers"]["at"]
     return table[first], table[first + 1]
 
 
@@ -166,3 +166,36 @@ def test_numbers_beyond_single_precision_are_its_largest() -> None:
     elements = Elements(page_of(text))
     table = np.frombuffer(elements.inflated("motion"), dtype="<f4").reshape(-1, elements.head["rows"])
     assert np.isfinite(table).all() and table.max() == np.finfo("<f4").max
+
+
+def test_a_page_begins_with_what_a_person_varies() -> None:
+    """Fixed starts rather than guesses, scalars rather than axes and mass centres of components; or the annotation."""
+    head = Elements(page_of("four_bar")).head
+    links = [f"{link}.{name}" for link in ("crank", "coupler", "rocker") for name in ("l", "m")]
+    assert head["sliders"] == ["A.q.start", *links, "tau"] and head["curves"] == []
+    text = """model M
+  parameter Length l = 1 m; parameter Angle a0 = 20 deg; input Torque u;
+  coordinate Angle theta(start = a0);
+  gravity = -g_n*world.y; mass 1 kg at {l*sin(theta), -l*cos(theta)}; torque u on theta;
+  output Length x = l*sin(theta);
+  annotation(page(sliders = {theta, u}, curves = {x, der(theta)}));
+end M;
+"""
+    head = Elements(page_of(text, 1.0)).head
+    assert head["sliders"] == ["theta.start", "u"] and head["curves"] == ["x", "der(theta)"]
+    assert "theta.start" in [each["name"] for each in head["parameters"]]  # though it follows from a parameter
+    units = {each["name"]: each["display"]["unit"] for each in head["columns"]}
+    assert (units["theta"], units["der(theta)"]) == ("deg", "rad/s")
+
+
+def test_currents_are_in_amperes() -> None:
+    head = Elements(page_of("library/rlc_circuit")).head
+    units = {each["name"]: each["display"]["unit"] for each in head["columns"]}
+    assert (units["C1.q"], units["der(C1.q)"]) == ("C", "A")
+
+
+def test_each_character_of_the_text_has_its_ink() -> None:
+    text = 'model M "𝒓"\n  coordinate Length x(start = 1 m);\n  kinetic 1/2*(1 kg)*der(x)^2;\nend M;\n'
+    head = Elements(page_of(text, 1.0)).head
+    assert len(head["inks"]) == len(text.encode("utf-16-le")) // 2
+    assert head["inks"][:5] == "kkkkk" and set(head["inks"]) <= set("csnuklt ")

@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 from named_models import compiled
 
-from lagdsl.derivation.scene import implied
+from lagdsl.derivation.scene import machine as rules
 from lagdsl.derivation.scene.living import living, scene_of
+from lagdsl.derivation.scene.posed import Posed
 from lagdsl.derivation.scene.shapes import Scene, Shape
+from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.language.flat.evaluate import Evaluator, Values
 
 
@@ -35,8 +37,15 @@ def test_a_mass_at_a_constant_distance_hangs_on_a_rod() -> None:
     assert kinds(scene(PENDULUM)) == {"mass": 1, "rod": 1}
 
 
-def test_a_mass_that_slides_has_no_rod() -> None:
-    assert kinds(scene("coordinate Length x; mass 1 kg at {x, 0}; gravity = 0;")) == {"mass": 1}
+def test_a_mass_that_slides_is_a_cart_on_its_rail() -> None:
+    """Carts on one line have one rail; a mass that falls, or that a contact stops, is a ball."""
+    slides = "coordinate Length x, y(start = 1 m); gravity = -g_n*world.y;"
+    found = scene(slides + "mass 1 kg at {x, 0}; mass 1 kg at {y, 0};")
+    assert kinds(found) == {"mass": 2, "rail": 1}
+    assert {part.form for each in found.shapes if each.kind == "mass" for part in each.parts} == {"cart", "cart wheels"}
+    assert kinds(scene(slides + "mass 1 kg at {0, y}; mass 1 kg at {1 m, x};")) == {"mass": 2}
+    stopped = "mass 1 kg at {x, 0}; mass 1 kg at {0, y}; contact c: x >= 0 with restitution = 1;"
+    assert "rail" not in kinds(scene(slides + stopped))
 
 
 def test_rods_go_down_to_the_world() -> None:
@@ -55,7 +64,7 @@ def test_springs_dampers_and_ropes_follow_from_distances() -> None:
     two += "mass 1 kg at A; mass 1 kg at B;"
     spring = "potential 1/2*(10 N/m)*(norm(B - A) - 1 m)^2;"
     damper = "dissipation 1/2*(1 N.s/m)*der(norm(B - A))^2;"
-    assert kinds(scene(two + spring + damper)) == {"mass": 2, "spring": 1, "damper": 1}
+    assert kinds(scene(two + spring + damper)) == {"mass": 2, "spring": 1, "damper": 1, "rail": 2}
     named = "Length s = norm(B - A); potential 1/2*(10 N/m)*s^2;"
     assert kinds(scene(two + named))["spring"] == 1
     assert kinds(scene(two + "constraint rope: norm(B - A) = sqrt(5)*1 m;"))["rope"] == 1
@@ -102,7 +111,8 @@ def test_bodies_are_shown_by_their_inertia() -> None:
         "coordinate Angle q; frame f = world.rotz(q); gravity = 0; body b(m = 2 kg, I = {1, 2, 3}*1 kg.m2) on f;"
     )
     assert kinds(found) == {"body": 1}
-    assert dict(shape(found, "body").numbers).keys() >= {"at", "x", "y", "z", "mass", "inertia", "com"}
+    [part] = shape(found, "body").parts
+    assert part.form == "cube" and part.opacity < 1.0
 
 
 def test_the_body_of_a_component_is_seen_by_its_inertia_and_a_point_by_a_ball_on_an_arm() -> None:
@@ -156,22 +166,114 @@ def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
 
 
 def test_contacts_look_at_their_own_coordinates_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A row of balls over the floor: each of its contacts asks for as many positions as that of one ball."""
+    """A row of balls over the floor: each of its contacts asks for as many positions as that of one ball; the floor is
+    drawn once."""
     asked: list[int] = []
-    evaluator = implied.evaluator_at
+    evaluator = rules.evaluator_at
 
     def counted(*arguments: Any, **options: Any) -> Evaluator:
         asked.append(1)
         return evaluator(*arguments, **options)
 
-    monkeypatch.setattr(implied, "evaluator_at", counted)
+    monkeypatch.setattr(rules, "evaluator_at", counted)
     counts = []
     for n in (2, 12):
         ball = "coordinate Length x{k}, h{k}(start = 1 m); mass 1 kg at {{x{k}, h{k}}};"
         ball += "contact floor{k}: h{k} >= 0 with restitution = 0.5;"
         asked.clear()
         found = scene("gravity = -g_n*world.y;" + "".join(ball.format(k=k) for k in range(n)))
-        assert kinds(found)["ground"] == n
+        assert kinds(found)["ground"] == 1
         counts.append(len(asked))
     few, many = counts
     assert many <= 6 * few
+
+
+def posed(body: str, **places: float) -> list[Posed]:
+    """The parts of a model where its coordinates have these values."""
+    flat = compiled(f"model M\n{body}\nend M;\n").flat
+    found = scene_of(flat)
+    at = Evaluator(flat, Values(variables=places))
+    row = np.array([[at.scalar(column) for column in found.columns]])
+    stage = stage_of(found, row, (0.0, 1.0, 0.0))
+    return [Posed(stage, part, 0) for each in found.shapes for part in each.parts if each.kind != "frame"]
+
+
+def test_springs_stay_within_their_ends() -> None:
+    """At ten lengths: from the point A to the mass P, with a hatched wall at A."""
+    spring = "coordinate Length x(start = 1.2 m); point A = {0, 0}; point P = {x, 0}; mass 1 kg at P; gravity = 0;"
+    spring += "potential 1/2*(20 N/m)*(norm(P - A) - 1 m)^2;"
+    for x in np.linspace(0.1, 3.0, 10):
+        [coil] = [each for each in posed(spring, x=float(x)) if each.part.form == "coil"]
+        along = coil.line()[:, 0]
+        assert along.min() == pytest.approx(0.0, abs=1e-12) and along.max() == pytest.approx(x)
+        assert np.ptp(coil.line()[:, 1]) == pytest.approx(2.0 * coil.size(coil.part.sizes[0]), rel=0.1)
+    assert "plane wall" in {each.part.form for each in posed(spring, x=1.0)}
+
+
+@pytest.mark.parametrize(
+    ("energy", "ends"),
+    [
+        ("potential 1/2*k*x^2;", {(-3.0, 0.2)}),  # a wall on the side without masses, as far away as the next mass
+        ("potential 1/2*k*(x - 0.5 m)^2;", {(0.0, 0.2)}),
+        ("potential 1/2*k*(y - x)^2;", {(0.2, 3.1)}),
+        ("potential 1/2*k*(x^2 + (y - x)^2);", {(-3.0, 0.2), (0.2, 3.1)}),
+        ("dissipation 1/2*c*(der(y) - der(x))^2;", {(0.2, 3.1)}),
+        ("potential k*(1 m)*x;", set()),  # a force
+        ("potential -k*(1 m3)/x;", set()),  # an attraction: it has no stiffness
+    ],
+)
+def test_springs_follow_from_coordinates(energy: str, ends: set[tuple[float, float]]) -> None:
+    body = "parameter Stiffness k = 5 N/m; parameter Damping c = 1 N.s/m; coordinate Length x, y; gravity = 0;"
+    body += "mass 1 kg at {x, 0}; mass 1 kg at {3 m + y, 0};" + energy
+    links = [each for each in posed(body, x=0.2, y=0.1) if each.part.form in ("coil", "piston")]
+    assert {(round(each.vector("at")[0], 9), round(each.vector("to")[0], 9)) for each in links} == ends
+
+
+def test_a_bar_is_as_long_as_its_inertia_and_mass_centre_say() -> None:
+    """I = m l^2/12 at l/2 from its pivot: from the pivot to l, whatever else the picture holds."""
+    pole = "parameter Length l = 1 m; coordinate Length x; coordinate Angle q; frame F = world.at({x, 0}).rotz(q);"
+    pole += "body pole(m = 1 kg, com = {0, -l/2, 0}, Izz = (1 kg)*l^2/12) on F; mass 1 kg at {x, 0};"
+    [bar] = [each for each in posed(pole + "gravity = -g_n*world.y;", x=2.0, q=0.0) if each.part.form == "beam"]
+    assert np.abs(sorted([bar.vector("at")[1], bar.vector("to")[1]]) - np.array([-1.0, 0.0])).max() < 1e-12
+
+
+def test_a_ladder_ends_where_it_touches() -> None:
+    """Walls follow from constraints, and the points at which the body touches them."""
+    ladder = "parameter Length l = 3 m; coordinate Length x, y; coordinate Angle a; gravity = -g_n*world.y;"
+    ladder += "frame F = world.at({x, y}).rotz(-a); body beam(m = 1 kg, Izz = (1 kg)*l^2/12) on F;"
+    ladder += "constraint wall: x - l/2*cos(a) = 0; constraint ground: y - l/2*sin(a) = 0;"
+    parts = posed(ladder, x=1.5 * np.cos(1.0), y=1.5 * np.sin(1.0), a=1.0)
+    assert sorted(tuple(each.vector("z").round(9)) for each in parts if each.part.form == "plane ground") == [
+        (0.0, 1.0, 0.0),
+        (1.0, 0.0, 0.0),
+    ]
+    [bar] = [each for each in parts if each.part.form == "beam"]
+    ends = sorted(tuple(bar.vector(role).round(9)) for role in ("at", "to"))
+    assert ends == [(0.0, pytest.approx(3.0 * np.sin(1.0)), 0.0), (pytest.approx(3.0 * np.cos(1.0)), 0.0, 0.0)]
+
+
+def test_a_wire_is_where_its_constraint_holds() -> None:
+    wire = "coordinate Length x(start = 0.2 m), y; gravity = -g_n*world.y; mass 1 kg at {x, y};"
+    [track] = [each for each in posed(wire + "constraint w: y = (0.1 m)*cos(x/(1 m));") if each.part.form == "points"]
+    x, y, _ = track.line().T
+    np.testing.assert_allclose(y, 0.1 * np.cos(x), atol=1e-12)
+    assert x.min() < -1.0 and x.max() > 1.0
+
+
+def test_a_load_on_a_coordinate_acts_at_the_thing_that_it_moves() -> None:
+    """A force along the way of a mass; a torque about the axis of a body, as a turning arrow."""
+    body = "coordinate Length x; coordinate Angle q; gravity = 0; mass 1 kg at {2*x, 0}; force 3 N on x;"
+    body += "frame f = world.rotx(q); body b(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; torque 2 N.m on q;"
+    found = {each.part.primitive + each.part.form: each for each in posed(body, x=1.0, q=0.3)}
+    np.testing.assert_allclose(found["arrow"].vector("vector"), [6.0, 0.0, 0.0])
+    np.testing.assert_allclose(found["surfaceturning arrow"].vector("z"), [2.0, 0.0, 0.0], atol=1e-12)
+
+
+def test_wheels_have_the_radius_behind_their_inertia() -> None:
+    """A disc, a hoop and a bar by their formulas; a moment of its own is that of a disc."""
+    body = "coordinate Angle q; parameter Length r = 0.4 m; parameter Mass m = 2 kg; parameter Inertia J = 0.25 kg.m2;"
+    body += "frame f = world.rotz(q); gravity = 0; body b(m = m, Izz = {}) on f;"
+    for inertia, radius in (("m*r^2/2", 0.4), ("m*r^2", 0.4), ("J", 0.5)):
+        [tire] = [each for each in posed(body.format(inertia)) if each.part.form == "tire"]
+        assert tire.size(tire.part.sizes[0]) == pytest.approx(radius)
+    assert "tire" not in {each.part.form for each in posed(body.format("m*r^2/12"))}

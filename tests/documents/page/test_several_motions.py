@@ -54,7 +54,7 @@ class TestRowsOfAFile:
         for column, values in zip(head["columns"], table, strict=False):
             assert np.abs(values - motion[column["name"]]).max() <= 1e-6 * max(np.abs(values).max(), 1.0)
         shape = next(s for s in head["scene"]["shapes"] if s["name"] == "mass 2")
-        x, y = table[head["scene"]["first"] + shape["numbers"]["at"] :][:2]
+        x, y = table[head["scene"]["first"] + shape["parts"][0]["numbers"]["at"] :][:2]
         assert np.abs(x - (0.5 * np.sin(motion["a"]) + 0.3 * np.sin(motion["b"]))).max() < 1e-6
         assert np.abs(y + (0.5 * np.cos(motion["a"]) + 0.3 * np.cos(motion["b"]))).max() < 1e-6
 

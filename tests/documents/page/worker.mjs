@@ -9,7 +9,7 @@ const answers = [];
 globalThis.self = { postMessage: (message) => answers.push(message) };
 (0, eval)(read("worker.js").toString());
 self.onmessage({ data: { ...JSON.parse(read("setup.json")), wasm: buffer("lag.wasm"), tape: buffer("model.tape") } });
-for (const { parameters, inputs } of JSON.parse(read("orders.json"))) {
-  self.onmessage({ data: { number: 1, parameters: Float64Array.from(parameters), inputs: Float64Array.from(inputs) } });
+for (const { parameters, inputs, pull = null } of JSON.parse(read("orders.json"))) {
+  self.onmessage({ data: { number: 1, parameters: Float64Array.from(parameters), inputs: Float64Array.from(inputs), pull } });
 }
 writeFileSync(`${folder}/answers.json`, JSON.stringify(answers, (_, value) => (value instanceof Float64Array ? Array.from(value) : value)));

@@ -12,7 +12,8 @@ import pytest
 from choice import chosen
 from textbook.build import coordinate, mass, model, parameter, v, vec
 
-from lagdsl.derivation.scene.shapes import Shape
+from lagdsl.derivation.scene.forms import FINE
+from lagdsl.derivation.scene.posed import matrix_of
 from lagdsl.derivation.textbook.recipe import recipe
 from lagdsl.documents.report.derivation import document, render
 from lagdsl.documents.report.document import Drawing
@@ -117,18 +118,13 @@ def test_a_machine_told_by_chapters_is_drawn() -> None:
 
 
 def test_a_disc_is_a_ring_across_its_axis() -> None:
-    """Of radius 2 m about x, its middle at (1, 2, 3) m."""
-    shape = Shape(
-        kind="disc",
-        name="",
-        numbers=(("at", 0), ("x", 3), ("y", 6), ("z", 9), ("axis", 12), ("radius", 15)),
-        vectors=("axis",),
-        spans=(),
+    """Of radius 2 m about x, its middle at (1, 2, 3) m: seen along its axis, within the flatness of its faces."""
+    matrix = matrix_of(
+        np.array([0.0, 2.0, 0.0]), np.array([0.0, 0.0, 2.0]), np.array([0.1, 0.0, 0.0]), np.arange(1.0, 4.0)
     )
-    scalars = np.array([1.0, 2.0, 3.0, *np.eye(3).ravel(), 1.0, 0.0, 0.0, 2.0, 0.0, 0.0])
-    [ring] = outlines(shape, lambda column, _: scalars[column : column + 3])
-    np.testing.assert_allclose([point[0] for point in ring], 1.0, atol=1e-12)
-    np.testing.assert_allclose([math.hypot(point[1] - 2, point[2] - 3) for point in ring], 2.0, rtol=1e-12)
+    [ring] = outlines("drum", matrix, lambda point: point[1:])
+    np.testing.assert_allclose([math.dist(point, (2.0, 3.0)) for point in ring], 2.0, rtol=1e-6)
+    assert len(ring) == FINE + 1 and np.all(ring[0] == ring[-1])
 
 
 def test_no_mass_no_drawing() -> None:

@@ -228,3 +228,4 @@ def test_a_terminal_gets_a_sketch(pendulum: Path) -> None:
     assert process.wait() == 0
     text = written.decode("utf-8", "replace")
     assert any("\u2801" <= character <= "\u28ff" for character in text)
+    assert text.count(f"lag show {pendulum} opens the machine") == 1

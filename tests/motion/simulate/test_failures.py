@@ -11,7 +11,8 @@ from simulate.hand import FourBar, Hand, Pendulum, constraint, coordinate, flat_
 
 import lagdsl
 from lagdsl.language.flat.expression import Binary, Derivative, Norm, Number, PointReference, Variable, Vector
-from lagdsl.language.flat.model import EnergyTerm, Experiment, Point
+from lagdsl.language.flat.model import EnergyTerm, Point
+from lagdsl.language.flat.quantity import Experiment
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.simulate import simulate
 

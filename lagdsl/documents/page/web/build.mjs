@@ -3,9 +3,22 @@ import { createHash } from "node:crypto";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
+// Shaders, and parts of them, for materials that no shape has: three.js cannot leave them out by itself.
+const parts = /\b(var|const) ((?:clearcoat|iridescence|transmission|metalnessmap|roughnessmap|gradientmap|cube_uv|lights_(?:physical|toon|phong))\w*) = "(?:[^"\\]|\\.)*"/g;
+const wholes = /\b(?:background|backgroundCube|cube|depth|distance|equirect|linedashed|mesh(?:matcap|normal|phong|physical|toon)|points|shadow)_(?:vert|frag): ([\w$]+)/g;
+const without = (text) => {
+  const unused = new Set([...text.matchAll(wholes)].map(([, name]) => name));
+  const blank = (whole, name) => (unused.has(name) ? `const ${name} = ""` : whole);
+  return text.replace(parts, '$1 $2 = ""').replace(/\bconst ((?:vertex|fragment)\$\w+) = "(?:[^"\\]|\\.)*"/g, blank);
+};
+const shaders = {
+  name: "shaders",
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({ contents: without(await readFile(path, "utf8")), loader: "js" })),
+};
 const common = { bundle: true, minify: true, target: "es2022", format: "iife", legalComments: "none", logLevel: "warning" };
 await mkdir("dist", { recursive: true });
-await build({ ...common, entryPoints: ["src/main.ts"], outfile: "dist/page.js" });
+await build({ ...common, entryPoints: ["src/main.ts"], outfile: "dist/page.js", plugins: [shaders] });
 await build({ ...common, entryPoints: ["src/loader.ts"], outfile: "dist/loader.js" });
 await build({ ...common, entryPoints: ["src/worker.ts"], outfile: "dist/worker.js" });
 await build({ ...common, entryPoints: ["src/page.css"], outfile: "dist/page.css" });

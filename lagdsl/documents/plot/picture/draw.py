@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.figure import matplotlib_or_reason
 from lagdsl.documents.plot.picture.colors import GRID, INK, PAPER, lit
-from lagdsl.documents.plot.picture.faces import Faces, Part, Ribbon, Words
+from lagdsl.documents.plot.picture.faces import Faces, Painted, Ribbon, Words
 from lagdsl.documents.plot.picture.gauges import gauges
 from lagdsl.documents.plot.picture.shapes import parts_of
-from lagdsl.documents.plot.picture.stage import Stage
 from lagdsl.documents.plot.picture.view import View, view_of
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -78,7 +78,7 @@ def save_picture(picture: Drawn, path: Path | str, pixels: int = 1280) -> None:
         picture.figure.savefig(path, dpi=pixels / _INCHES, format=form, facecolor=PAPER, metadata=stamp)
 
 
-def _paint(picture: Drawn, parts: Sequence[Part], opacity: float) -> None:
+def _paint(picture: Drawn, parts: Sequence[Painted], opacity: float) -> None:
     """Parts from the back to the front, face by face."""
     from matplotlib.collections import PolyCollection
 

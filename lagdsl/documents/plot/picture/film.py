@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.draw import Drawn, draw, prepared, save_picture
-from lagdsl.documents.plot.picture.recording import Recording, record_motion, up_of
-from lagdsl.documents.plot.picture.stage import stage_of
+from lagdsl.documents.plot.picture.recording import Recording, record_motion, rows_of_scene, up_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
@@ -95,9 +95,7 @@ def _prepared(flat: FlatModel, made: Recording) -> tuple[Drawn, Floats]:
     """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
     if all(shape.kind == "frame" for shape in made.scene.shapes):
         raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
-    columns = made.motion.columns[len(made.motion.columns) - len(made.scene.columns) :]
-    table = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
-    stage = stage_of(made.scene, table, up_of(flat, made.scene))
+    stage = stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
     return prepared(stage, flat.name), made.motion.time
 
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from lagdsl.documents.plot.picture.colors import color_of
-from lagdsl.documents.plot.picture.faces import Faces, Part, Words, cube, cylinder, matrix_of, placed, torus
-from lagdsl.documents.plot.picture.stage import Stage, gauges_of
+from lagdsl.derivation.scene.forms import form
+from lagdsl.derivation.scene.posed import matrix_of, placed
+from lagdsl.derivation.scene.stage import Stage, gauges_of
+from lagdsl.documents.plot.picture.faces import Faces, Painted, Words
 from lagdsl.foundation.numerics.rank import Floats
 
+_BLUE = (0.145, 0.388, 0.922)
 _GRAY = (0.580, 0.639, 0.722)
 
 
-def gauges(stage: Stage, row: int) -> list[Part]:
+def gauges(stage: Stage, row: int) -> list[Painted]:
     """All of them, turned towards the viewer."""
     numbers = gauges_of(stage.scene)
     return [part for place, k in enumerate(numbers) for part in _gauge(stage, row, k, place, len(numbers))]
@@ -39,21 +41,20 @@ def _place(stage: Stage, place: int, count: int) -> Floats:
     return np.asarray(down + right * (place - (count - 1) / 2.0) * 2.6 * _size(stage))
 
 
-def _gauge(stage: Stage, row: int, k: int, place: int, count: int) -> list[Part]:
+def _gauge(stage: Stage, row: int, k: int, place: int, count: int) -> list[Painted]:
     shape = stage.scene.shapes[k]
     column = dict(shape.numbers)["value"]
     value = float(stage.rows[row, column])
     at, size = _place(stage, place, count), _size(stage)
     x, y, z = (axis * size for axis in stage.axes)
-    blue = color_of(shape)
     name = Words(text=shape.name, at=at - 1.35 * y, size=0.4 * size)
     if shape.kind == "dial":
         own = matrix_of(np.cos(value) * x + np.sin(value) * y, np.cos(value) * y - np.sin(value) * x, z, at)
-        hand = np.asarray((cube() + np.array([0.0, 0.5, 0.0])) * [0.12, 1.0, 0.12])
-        ring = Faces(corners=placed(torus(0.05), matrix_of(x, y, z, at)), color=_GRAY)
-        pin = Faces(corners=placed(cylinder(), matrix_of(0.1 * x, 0.1 * y, 0.15 * z, at)), color=blue)
-        return [ring, Faces(corners=placed(hand, own), color=blue), pin, name]
+        hand = np.asarray((form("cube") + np.array([0.0, 0.5, 0.0])) * [0.12, 1.0, 0.12])
+        ring = Faces(corners=placed(form("wire ring"), matrix_of(x, y, z, at)), color=_GRAY)
+        pin = Faces(corners=placed(form("cylinder"), matrix_of(0.1 * x, 0.1 * y, 0.15 * z, at)), color=_BLUE)
+        return [ring, Faces(corners=placed(hand, own), color=_BLUE), pin, name]
     most = float(np.max(np.abs(stage.rows[:, column]), initial=1e-12, where=np.isfinite(stage.rows[:, column])))
-    rail = placed(np.asarray(cube() * [2.2, 0.06, 0.06]), matrix_of(x, y, z, at))
-    carriage = placed(np.asarray(cube() * 0.5), matrix_of(x, y, z, at + x * (0.85 * value / most)))
-    return [Faces(corners=rail, color=_GRAY), Faces(corners=carriage, color=blue), name]
+    rail = placed(np.asarray(form("cube") * [2.2, 0.06, 0.06]), matrix_of(x, y, z, at))
+    carriage = placed(np.asarray(form("cube") * 0.5), matrix_of(x, y, z, at + x * (0.85 * value / most)))
+    return [Faces(corners=rail, color=_GRAY), Faces(corners=carriage, color=_BLUE), name]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -120,6 +120,15 @@ def parameters_of(layout: Layout, wishes: Wishes) -> Floats:
     for name, value in {**wishes.parameters, **starts}.items():
         p[names.index(name)] = value
     return p
+
+
+def rows_of_scene(scene: Scene, motions: Sequence[Trajectory]) -> Floats:
+    """The last columns of motions, one after the other."""
+    tables = [
+        np.array([column.values for column in each.columns[len(each.columns) - len(scene.columns) :]])
+        for each in motions
+    ]
+    return np.concatenate([table.reshape(-1, len(each)) for table, each in zip(tables, motions, strict=True)], axis=1).T
 
 
 def up_of(model: FlatModel, scene: Scene) -> list[float]:

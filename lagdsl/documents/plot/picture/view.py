@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from lagdsl.derivation.scene.stage import TILT, Stage
 from lagdsl.documents.plot.picture.faces import Faces, Ribbon
 from lagdsl.documents.plot.picture.gauges import reach
 from lagdsl.documents.plot.picture.shapes import parts_of
-from lagdsl.documents.plot.picture.stage import Stage
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -15,7 +15,6 @@ _MARGIN = 0.07
 _ROWS = 24
 # Of a picture: height over width.
 _LOWEST, _HIGHEST = 0.45, 1.25
-_TILT = 0.38 / 0.92
 
 
 @record(kw_only=True)
@@ -50,7 +49,7 @@ def view_of(stage: Stage) -> View:
     if stage.scene.planar:
         turn, eye = np.array([right, up, back]), None
     else:
-        towards = back + _TILT * up
+        towards = back + TILT * up
         towards /= np.linalg.norm(towards)
         turn = np.array([right, np.cross(towards, right), towards])
         far = max(float(np.linalg.norm(stage.high - stage.low)), 0.5 * stage.length) * 1.75
@@ -65,7 +64,7 @@ def view_of(stage: Stage) -> View:
 def _solid(stage: Stage) -> Floats:
     """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture."""
     rows = np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int))
-    parts = [part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "trace"))]
+    parts = [part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "rail", "trace"))]
     found = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
     found += [part.points for part in parts if isinstance(part, Ribbon)]
     placed = any(

@@ -8,8 +8,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from lagdsl.derivation.scene.living import scene_of
+from lagdsl.derivation.scene.machine import gravity_of
+from lagdsl.derivation.scene.posed import Posed
 from lagdsl.derivation.scene.shapes import Scene
-from lagdsl.documents.report.boxes import Box, Derivative
+from lagdsl.derivation.scene.stage import Stage, stage_of
+from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
 from lagdsl.documents.report.figure.labels import labelled
 from lagdsl.documents.report.figure.lettering import width
@@ -20,7 +23,6 @@ from lagdsl.documents.report.names import indexed
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.motion.pipeline import Compilation
 
 _WIDTH = 420.0
@@ -32,7 +34,11 @@ _MOST_COORDINATES = 8
 _MOST_NAMES = 12
 _LONGEST_NAME = 72.0
 _LENGTHS: dict[Role, float] = {"motion": 0.3, "load": 0.26, "weight": 0.2, "coordinate": 0.25}
-_LINES: dict[str, Style] = {"rod": "rod", "rope": "thin", "spring": "thin", "damper": "thin", "slider": "thin"}
+_LINES: dict[str, Style] = {"rod": "rod", "rope": "thin"}
+# Kinds that this drawing tells by marks of its own, forms that lie within others or come from files, and the ground.
+_OWN_MARKS = frozenset({"frame", "force", "torque", "trace", "text", "arrow", "slider", "dial"})
+_UNSEEN = frozenset({"octants", "marks", "file"})
+_STANDS = frozenset({"ground", "rail", "plane ground", "plane rail"})
 
 
 @dataclass
@@ -65,7 +71,8 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
         return None
     scene = scene_of(flat)
     sheet = _Sheet(_projection(flat, scene.planar))
-    _parts(sheet, found, scene)
+    row = np.array([[value if (value := found.scalar(each)) is not None else np.nan for each in scene.columns]])
+    _parts(sheet, scene, stage_of(scene, row, _up(flat).tolist()))
     _masses(sheet, found)
     shown = [point for points, _ in sheet.strokes for point in points] + [place for place, _, _ in sheet.balls]
     spread = np.ptp(np.array(shown), axis=0)
@@ -98,52 +105,30 @@ def _projection(flat: fm.FlatModel, planar: bool) -> Callable[[Floats], Floats]:
 
 
 def _up(flat: fm.FlatModel) -> Floats:
-    down = _gravity(flat)
+    down = gravity_of(flat)
     return np.array([0.0, 0.0, 1.0]) if down is None else -down
 
 
-def _gravity(flat: fm.FlatModel) -> Floats | None:
-    """Its direction; None without gravity."""
-    if flat.gravity is None:
-        return None
-    try:
-        found = Evaluator(flat, Values()).vector(flat.gravity)
-    except NotEvaluable:
-        return None
-    size = float(np.linalg.norm(found))
-    return found / size if np.isfinite(size) and size > 0.0 else None
-
-
-def _parts(sheet: _Sheet, found: Pose, scene: Scene) -> None:
-    def value(column: int, count: int) -> Floats | None:
-        parts = scene.columns[column : column + count]
-        padded = (*parts, *(fx.Number(0.0) for _ in range(3 - count)))
-        return found.vector(fx.Vector(*padded)) if len(padded) == 3 else None
-
+def _parts(sheet: _Sheet, scene: Scene, stage: Stage) -> None:
     for shape in scene.shapes:
-        numbers = dict(shape.numbers)
-        place, end, normal = (value(numbers[r], 3) if r in numbers else None for r in ("at", "to", "normal"))
-        if place is None:
+        if shape.kind in _OWN_MARKS:
             continue
-        if end is not None and shape.kind in _LINES:
-            sheet.stroke(_zigzag(place, end) if shape.kind == "spring" else [place, end], _LINES[shape.kind])
-        elif shape.kind == "ground" and normal is not None and np.linalg.norm(normal) > 0:
-            along = np.cross(normal / np.linalg.norm(normal), [0.0, 0.0, 1.0])
-            sheet.stroke([place - along, place + along], "ground")
-        else:
-            for points in outlines(shape, value):
-                sheet.stroke(points, "outline")
-
-
-def _zigzag(start: Floats, end: Floats) -> list[Floats]:
-    way = end - start
-    length = float(np.linalg.norm(way))
-    side = np.cross(way, [0.0, 0.0, 1.0])
-    if np.linalg.norm(side) < 1e-9 * length or length == 0.0:
-        side = np.array([length, 0.0, 0.0])
-    side *= 0.05 * length / max(float(np.linalg.norm(side)), 1e-300)
-    inner = [start + way * (0.15 + 0.7 * (k + 0.5) / 10) + side * (-1) ** k for k in range(10)]
-    return [start, start + 0.15 * way, *inner, start + 0.85 * way, end]
+        for part in shape.parts:
+            posed = Posed(stage, part, 0)
+            if not posed.finite() or part.form in _UNSEEN:
+                continue
+            if part.primitive == "line":
+                sheet.stroke(list(posed.line()), "thin")
+            elif part.primitive != "surface":
+                continue
+            elif part.form in _STANDS:
+                x, place = posed.matrix()[:3, 0], posed.matrix()[:3, 3]
+                sheet.stroke([place - x, place + x], "ground")
+            elif posed.has("to") and shape.kind in _LINES:
+                sheet.stroke([posed.vector("at"), posed.vector("to")], _LINES[shape.kind])
+            else:
+                for points in outlines(part.form, posed.matrix(), sheet.project):
+                    sheet.strokes.append((points, "outline"))
 
 
 def _masses(sheet: _Sheet, found: Pose) -> None:
@@ -152,14 +137,6 @@ def _masses(sheet: _Sheet, found: Pose) -> None:
         place = found.vector(expression)
         if place is not None:
             sheet.balls.append((sheet.project(place), 5.0 if number < points else 6.0, number >= points))
-    for body in found.flat.bodies:
-        origin, center = (
-            found.vector(fx.FrameOrigin(body.frame)),
-            found.carriers[points + found.flat.bodies.index(body)],
-        )
-        middle = found.vector(center)
-        if origin is not None and middle is not None and np.linalg.norm(middle - origin) > 0:
-            sheet.stroke([origin, middle], "outline")
 
 
 def _moved(found: Pose, coordinate: str) -> list[tuple[int, fx.FlatExpression, Floats]]:
@@ -192,7 +169,7 @@ def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
             if place is None or item.name not in found.values:
                 continue
             few = count <= _MOST_LABELS
-            label = Derivative("∂", indexed(drawn.letter("r"), drawn.carriers[k]), q) if few else None
+            label = Derivative("∂", indexed(bold(drawn.letter("r")), drawn.carriers[k]), q) if few else None
             end = place + rate / longest * _LENGTHS["motion"] * sheet.size
             sheet.arrow([place, end], "motion", label, number)
 
@@ -269,7 +246,7 @@ def _loads(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
 
 
 def _weights(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
-    down = _gravity(drawn.flat)
+    down = gravity_of(drawn.flat)
     if down is None:
         return
     few = len(found.carriers) <= _MOST_LABELS

@@ -46,7 +46,7 @@ def derived(page: Page) -> DrawnModel:
         load = page.flat.loads[step.load]
         if not isinstance(step.action, AppliedForce) or not isinstance(load, fm.PointForce):
             continue
-        label = Subscript(page.notation.letter("F"), Number(str(number)))
+        label = Subscript(page.vector_letter("F"), Number(str(number)))
         place = load.origin if step.back and load.origin is not None else load.point
         forces.append(Force(place, load.force, -1.0 if step.back else 1.0, label))
     masses = [inertial.mass for inertial in page.derivation.inertials]

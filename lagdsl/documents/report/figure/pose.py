@@ -33,6 +33,14 @@ class Pose:
             return None
         return found if bool(np.all(np.isfinite(found))) else None
 
+    def scalar(self, expression: fx.FlatExpression) -> float | None:
+        """In SI units; None where there is no finite value."""
+        try:
+            found = Evaluator(self.flat, Values(variables=self.values)).scalar(expression)
+        except NotEvaluable:
+            return None
+        return found if bool(np.isfinite(found)) else None
+
     def along(self, expression: fx.FlatExpression, coordinate: str, by: float) -> Floats | None:
         """Place with one coordinate changed `by` so much, the others held."""
         return self.vector(expression, {coordinate: self.values[coordinate] + by})

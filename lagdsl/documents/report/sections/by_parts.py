@@ -97,7 +97,7 @@ def _gradient(page: Page, step: CoordinateStep, label: Box, item: Inertial) -> T
 
 def _vectors(page: Page, label: Box) -> tuple[Box, Box, Box, Box]:
     """Position, velocity, angular velocity and inertia of a carrier."""
-    r, v, spin = (indexed(page.notation.letter(letter), label) for letter in ("r", "v", "ω"))
+    r, v, spin = (indexed(page.vector_letter(letter), label) for letter in ("r", "v", "ω"))
     return r, v, spin, indexed(page.notation.letter("I", indexed=True), label)
 
 

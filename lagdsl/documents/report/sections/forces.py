@@ -192,8 +192,9 @@ def _generalized_forces(page: Page) -> list[Block]:
 
 
 def _load_name(page: Page, step: ActionStep, number: int) -> Box:
+    is_vector = isinstance(step.action, AppliedForce | AppliedTorque)
     letter = "M" if isinstance(step.action, AppliedTorque) else "F"
-    return Subscript(page.notation.letter(letter), Number(str(number)))
+    return Subscript(page.vector_letter(letter) if is_vector else page.notation.letter(letter), Number(str(number)))
 
 
 def _work_of(page: Page, step: ActionStep, number: int, variation: Box) -> Box:

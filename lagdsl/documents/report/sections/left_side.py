@@ -145,7 +145,7 @@ def positions(page: Page) -> list[Block]:
     carriers = page.inertial_elements()
     if not carriers:
         return [Heading("Position vectors", "2"), Paragraph(text(_ENERGIES_BY_HAND))]
-    letter = page.notation.letter("r")
+    letter = page.vector_letter("r")
     resting = [indexed(letter, label) for label, item in carriers if not any(item.position)]
     moved = [(label, item) for label, item in carriers if any(item.position)]
     blocks: list[Block] = [Heading("Position vectors", "2"), Paragraph(text(_POSITIONS))]
@@ -173,7 +173,7 @@ def velocities(page: Page) -> list[Block]:
     carriers = page.inertial_elements()
     if not carriers:
         return [Heading("Velocities", "3"), Paragraph(text("None are needed beyond the rates themselves."))]
-    speed, spin = page.notation.letter("v"), page.notation.letter("ω")
+    speed, spin = page.vector_letter("v"), page.vector_letter("ω")
     lines, resting, straight = [], [], []
     for label, item in carriers:
         if any(item.velocity):
@@ -248,7 +248,7 @@ def _own_energy(page: Page, label: Box, item: Inertial, own: Expr) -> Box:
         if max(len(line(part.right)) for part in parts) <= 2 * _LONGEST_LINE:
             return shown
     half, dot = Number("½"), Operator("·")
-    velocity, spin = (indexed(page.notation.letter(letter), label) for letter in ("v", "ω"))
+    velocity, spin = (indexed(page.vector_letter(letter), label) for letter in ("v", "ω"))
     terms: list[tuple[Literal["+", "-"], Box]] = []
     if any(item.velocity):
         terms.append(("+", Row((half, page.typeset(item.mass), velocity, dot, velocity))))

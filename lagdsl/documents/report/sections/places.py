@@ -62,7 +62,7 @@ def places_of(page: Page) -> list[Place]:
 
 
 def _letter(page: Page, letter: str) -> Box:
-    return page.notation.letter(letter, indexed=letter == "x")
+    return page.notation.letter(letter, indexed=True) if letter == "x" else page.vector_letter(letter)
 
 
 def _names(page: Page, step: ActionStep, letter: str) -> Iterator[Box]:

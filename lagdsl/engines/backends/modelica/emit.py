@@ -16,7 +16,7 @@ from lagdsl.engines.backends.modelica.expressions import literal
 from lagdsl.engines.backends.modelica.names import quoted, text
 from lagdsl.engines.backends.reserved import MODELICA_NAMES
 from lagdsl.engines.backends.start import Start
-from lagdsl.language.flat.model import Experiment
+from lagdsl.language.flat.quantity import Experiment
 
 _INTRODUCTION = """\
 //! base 0.1.0

@@ -148,6 +148,7 @@ ROWS: dict[str, Row] = {
         label="several components",
         help="declare a component of it: `{name} name;`",
     ),
+    "E0246": error("`{text}` cannot be a {what} of the page", label="no such quantity"),
     "E0250": error(
         "there is no package or class `{name}`",
         label="not found",

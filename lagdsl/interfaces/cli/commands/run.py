@@ -126,7 +126,10 @@ def command(
         from lagdsl.motion.signals.moved import loops_of
 
         loops = loops_of(compilation.flat)
-        click.echo(summary(motion, freedom=compilation.structure.freedom, loops=loops, curves=sys.stdout.isatty()))
+        on_terminal = sys.stdout.isatty()
+        click.echo(summary(motion, freedom=compilation.structure.freedom, loops=loops, curves=on_terminal))
+        if on_terminal and not pictures.wanted:
+            click.echo(f"lag show {model_file.file} opens the machine")
 
 
 def _require_table(output: Path | None, style: Format) -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from lagdsl.interfaces.lsp.features.cursor import Cursor
-from lagdsl.language.semantics.classes.annotations import ANNOTATIONS, SETTINGS
+from lagdsl.language.semantics.classes.annotations import ANNOTATIONS, CONTROLS, SETTINGS
 from lagdsl.language.semantics.items import contacts, frictions, measurements
 from lagdsl.language.semantics.items.bodies import PROPERTIES
 from lagdsl.language.semantics.items.shapes import SHAPES
@@ -20,6 +20,8 @@ def arguments_at(cursor: Cursor) -> tuple[str, ...]:
             return ANNOTATIONS
         case "annotation", 2 if brackets[-1].before == ("experiment",):
             return SETTINGS
+        case "annotation", 2 if brackets[-1].before == ("page",):
+            return CONTROLS
         case "body", 1:
             return PROPERTIES
         case "draw", 1 if statement[1] in SHAPES:

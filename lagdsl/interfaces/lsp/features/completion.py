@@ -204,7 +204,7 @@ def _modifiers(
 
 def _attribute(name: str, text: str | None = None) -> lsp.CompletionItem:
     item = _item(name, lsp.CompletionItemKind.Property, text)
-    item.insert_text = name if name in ("der", "omega", "experiment") else f"{name} = "
+    item.insert_text = name if name in ("der", "omega", "experiment", "page") else f"{name} = "
     return item
 
 

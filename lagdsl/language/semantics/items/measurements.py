@@ -67,21 +67,26 @@ def _measured(ctx: Context, scope: Scope, node: nodes.Measure) -> tuple[list[str
         labels = chosen[0].made.labels
         places = [chosen[1]] if chosen[1] in labels else list(labels)
         return [labels[place].name for place in places], ctx.conventions.dimension(TIME), True
-    value = ctx.elaborate(ctx, scope, node.value, False)
-    if isinstance(value, Poison):
-        return None
-    if isinstance(symbol, Symbol) and symbol.kind == "output" and isinstance(value, Scalar | Array):
-        return _elements(ctx, scope, node.value, symbol), value.dimension, False
-    parts: tuple[flat.FlatExpression, ...] = ()
-    if isinstance(value, Scalar):
-        parts = (value.expression,)
-    elif isinstance(value, Array):
-        parts = value.elements
-    names = [_name(part) for part in parts]
-    if not names or not all(names) or not isinstance(value, Scalar | Array):
+    found = columns_of(ctx, scope, node.value)
+    if found is None:
         ctx.sink.report("E0363", node.value.span, text=node.value.span.text, why="it is no name")
+    return None if found is None or isinstance(found, Poison) else (*found, False)
+
+
+def columns_of(ctx: Context, scope: Scope, node: nodes.Expression) -> tuple[list[str], AnyDimension] | Poison | None:
+    """Names of the quantities that `node` designates, and their dimension; None if it designates none."""
+    base = node.target if isinstance(node, nodes.Index) else node
+    symbol = designated(ctx, scope, base)
+    value = ctx.elaborate(ctx, scope, node, False)
+    if isinstance(value, Poison):
+        return value
+    if not isinstance(value, Scalar | Array):
         return None
-    return [str(name) for name in names], value.dimension, False
+    if isinstance(symbol, Symbol) and symbol.kind == "output":
+        return _elements(ctx, scope, node, symbol), value.dimension
+    names = [_name(part) for part in ((value.expression,) if isinstance(value, Scalar) else value.elements)]
+    known = [name for name in names if name is not None]
+    return (known, value.dimension) if known and len(known) == len(names) else None
 
 
 def _elements(ctx: Context, scope: Scope, node: nodes.Expression, symbol: Symbol) -> list[str]:

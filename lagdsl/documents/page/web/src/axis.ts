@@ -28,3 +28,10 @@ export function upright(label: string): uPlot.Axis {
   const size: uPlot.Axis.Size = (_, values) => Math.max(64, 36 + 6.5 * Math.max(0, ...(values ?? []).map((text) => text.length)));
   return { ...axis(label), size };
 }
+
+/** A range with an edge. Round-off fills no chart: ticks closer than the digits of a number cannot be placed. */
+export function edged(low: number, high: number): [number, number] {
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const edge = Math.max(0.06 * (high - low), high - low < 1e-6 * size ? 1e-3 * size : 0, 1e-12);
+  return [low - edge, high + edge];
+}

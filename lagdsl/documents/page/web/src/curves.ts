@@ -1,9 +1,10 @@
 // Curves over time and the energy, with a common cursor.
 import uPlot from "uplot";
-import { axis, INKS, upright, WIDE } from "./axis.ts";
-import type { Column, Head } from "./head.ts";
+import { axis, edged, INKS, upright, WIDE } from "./axis.ts";
+import { make } from "./dom.ts";
+import type { Column, Occurrence, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { apart, written } from "./numbers.ts";
+import { apart, density, written } from "./numbers.ts";
 import { Portrait } from "./portrait.ts";
 
 const AT_FIRST = 4;
@@ -19,7 +20,7 @@ export class Curves {
   private readonly board: HTMLElement;
   private readonly portrait: Portrait;
   private motion: Motion;
-  private events: { time: number; kind: string }[];
+  private events: Occurrence[];
   private family: Motion[] = [];
   private time = 0;
   private seen = false;
@@ -33,14 +34,12 @@ export class Curves {
     this.motion = motion;
     this.events = head.events;
     const columns = this.columns();
-    const first = columns.filter(({ column }) => column.kind === "coordinate").slice(0, AT_FIRST);
+    const own = columns.filter(({ column }) => head.curves.includes(column.name));
+    const first = own.length > 0 ? own : columns.filter(({ column }) => column.kind === "coordinate").slice(0, AT_FIRST);
     this.chosen = new Set((first.length > 0 ? first : columns.slice(0, AT_FIRST)).map(({ index }) => index));
-    const list = document.createElement("details");
-    const summary = document.createElement("summary");
-    summary.textContent = "Choose curves";
-    list.append(summary, ...columns.map(({ column, index }) => this.choice(column, index)));
-    this.board = document.createElement("div");
-    place.append(list, this.board);
+    const choices = columns.map(({ column, index }) => this.choice(column, index));
+    this.board = make("div");
+    place.append(make("details", {}, make("summary", { textContent: "Choose curves" }), ...choices), this.board);
     this.portrait = new Portrait(head, motion, place);
     new ResizeObserver(([{ contentRect }]) => {
       this.seen = contentRect.width > 0;
@@ -59,19 +58,14 @@ export class Curves {
   }
 
   private choice(column: Column, index: number): HTMLElement {
-    const label = document.createElement("label");
-    label.className = "choice";
-    const box = document.createElement("input");
-    box.type = "checkbox";
-    box.checked = this.chosen.has(index);
+    const box = make("input", { type: "checkbox", checked: this.chosen.has(index) });
     box.onchange = () => {
       if (box.checked) this.chosen.add(index);
       else this.chosen.delete(index);
       this.rebuild();
     };
-    label.append(box, `${column.name}${column.display.unit ? ` [${column.display.unit}]` : ""}`);
-    label.title = column.doc ?? "";
-    return label;
+    const unit = column.display.unit ? ` [${column.display.unit}]` : "";
+    return make("label", { className: "choice", title: column.doc ?? "" }, box, `${column.name}${unit}`);
   }
 
   /** A chart for each unit among the chosen columns, one of the energy. */
@@ -118,13 +112,21 @@ export class Curves {
         ctx.stroke();
       }
     }
+    const { min: start = 0, max: stop = 1 } = plot.scales.x;
+    const high = 7 * window.devicePixelRatio;
+    const often = density(this.events, start, stop);
+    ctx.fillStyle = "#64748b";
+    often.forEach((part, k) => {
+      ctx.globalAlpha = 0.5 * part;
+      ctx.fillRect(bbox.left + (bbox.width * k) / often.length, bbox.top + bbox.height - high, bbox.width / often.length, high);
+    });
+    ctx.globalAlpha = 1;
     ctx.strokeStyle = "#dc2626";
-    for (const { time, kind } of apart(this.events, plot.scales.x.min ?? 0, plot.scales.x.max ?? 1)) {
+    for (const { time } of apart(this.events, start, stop)) {
       const x = plot.valToPos(time, "x", true);
-      ctx.globalAlpha = kind === "tick" ? 0.25 : 1; // clocks tick often
       ctx.beginPath();
       ctx.moveTo(x, bbox.top + bbox.height);
-      ctx.lineTo(x, bbox.top + bbox.height - 7 * window.devicePixelRatio);
+      ctx.lineTo(x, bbox.top + bbox.height - high);
       ctx.stroke();
     }
     ctx.restore(); // the alpha, too
@@ -138,10 +140,7 @@ export class Curves {
         for (const value of column) if (Number.isFinite(value)) [least, most] = [Math.min(least, value), Math.max(most, value)];
       }
     }
-    // Round-off fills no chart: ticks closer than the digits of a number cannot be placed.
-    const size = Math.max(Math.abs(least), Math.abs(most));
-    const edge = Math.max(0.06 * (most - least), most - least < 1e-6 * size ? 1e-3 * size : 0, 1e-12);
-    return [least - edge, most + edge];
+    return edged(least, most);
   }
 
   private add(unit: string, names: string[], data: Chart["data"]): void {
@@ -170,8 +169,8 @@ export class Curves {
     if (plot.cursor.left !== undefined && plot.cursor.left >= 0) this.sought(plot.posToVal(plot.cursor.left, "x"));
   }
 
-  /** Another motion; live ones tell no events. */
-  show(motion: Motion, events: { time: number; kind: string }[] = []): void {
+  /** Another motion with its events. */
+  show(motion: Motion, events: Occurrence[]): void {
     this.motion = motion;
     this.events = events;
     for (const { plot, data } of this.charts) plot.setData(data(motion));

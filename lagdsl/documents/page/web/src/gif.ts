@@ -1,4 +1,4 @@
-// Films as GIF (CompuServe, version 89a): frames of 252 colors, six levels of red and blue, seven of green.
+// Films as GIF (CompuServe, version 89a), with the 256 colors that the frames have most.
 
 class Bytes {
   private readonly list: number[] = [];
@@ -20,9 +20,26 @@ class Bytes {
   }
 }
 
-/** The place of a color in the table. */
-function place(red: number, green: number, blue: number): number {
-  return (Math.round((red * 5) / 255) * 7 + Math.round((green * 6) / 255)) * 6 + Math.round((blue * 5) / 255);
+const LEVELS = 5; // bits of a color that tell it from another one
+
+function codeOf(data: Uint8ClampedArray, at: number): number {
+  return ((data[at] >> 3) << 10) | ((data[at + 1] >> 3) << 5) | (data[at + 2] >> 3);
+}
+
+/** The most frequent colors, and the place of the nearest one for each code. */
+function palette(frames: ImageData[]): { colors: number[][]; places: Uint8Array } {
+  const counts = new Uint32Array(1 << (3 * LEVELS));
+  for (const { data } of frames) for (let at = 0; at < data.length; at += 4) ++counts[codeOf(data, at)];
+  const color = (code: number): number[] => [10, 5, 0].map((shift) => Math.round((((code >> shift) & 31) * 255) / 31));
+  const seen = [...counts.keys()].filter((code) => counts[code] > 0).sort((a, b) => counts[b] - counts[a]);
+  const colors = seen.slice(0, 256).map(color);
+  const places = new Uint8Array(counts.length);
+  for (const code of seen) {
+    const own = color(code);
+    const away = colors.map((each) => each.reduce((sum, part, k) => sum + (part - own[k]) ** 2, 0));
+    places[code] = away.indexOf(Math.min(...away));
+  }
+  return { colors, places };
 }
 
 /** T. A. Welch's compression with codes of 9 to 12 bits, in blocks of at most 255 bytes. */
@@ -82,10 +99,8 @@ export function gif(frames: ImageData[], delay: number): Blob {
   out.word(width);
   out.word(height);
   out.put(0xf7, 0, 0);
-  for (let k = 0; k < 256; ++k) {
-    const [red, green, blue] = [Math.floor(k / 42), Math.floor(k / 6) % 7, k % 6];
-    out.put(Math.min(red * 51, 255), Math.min(Math.round(green * 42.5), 255), blue * 51);
-  }
+  const { colors, places } = palette(frames);
+  for (let k = 0; k < 256; ++k) out.put(...(colors[k] ?? [0, 0, 0]));
   out.put(0x21, 0xff, 11);
   out.text("NETSCAPE2.0");
   out.put(3, 1, 0, 0, 0);
@@ -97,7 +112,7 @@ export function gif(frames: ImageData[], delay: number): Blob {
     out.word(height);
     out.put(0);
     const pixels = new Uint8Array(width * height);
-    for (let i = 0; i < pixels.length; ++i) pixels[i] = place(data[4 * i], data[4 * i + 1], data[4 * i + 2]);
+    for (let i = 0; i < pixels.length; ++i) pixels[i] = places[codeOf(data, 4 * i)];
     compressed(pixels, out);
   }
   out.put(0x3b);

@@ -1,4 +1,5 @@
 // What a page is told: the JSON of lagdsl/page/head.py, and the arrays that come with it.
+import { bytesOf, inflate } from "./packed.ts";
 
 export interface Display {
   unit: string;
@@ -35,10 +36,25 @@ export interface Shape {
   kind: string;
   name: string;
   numbers: Record<string, number>; // role: column of the scene
-  vectors: string[];
+  parts: Part[];
   texts: Record<string, string>;
   span: Span | null;
   mesh?: number; // of Head.meshes
+}
+
+/** A primitive: what the fields mean stands in lagdsl/derivation/scene/shapes.py. */
+export interface Part {
+  primitive: "surface" | "line" | "trace" | "arrow" | "label";
+  numbers: Record<string, number>;
+  color: string;
+  form?: string;
+  sizes?: [factor: number, column: number, relative: boolean][];
+  shade?: number;
+  opacity?: number;
+  scale?: string;
+  still?: boolean;
+  offset?: number;
+  count?: number;
 }
 
 export interface PackedMesh {
@@ -55,7 +71,14 @@ export interface Head {
   version: string;
   source: string;
   planar: boolean;
-  up: [number, number, number];
+  stage: {
+    axes: [number, number, number][]; // right, up, back: as one first sees the machine
+    center: [number, number, number];
+    length: number;
+    scales: Record<string, number>;
+    coil: number[][]; // points of a unit coil
+    forms: Record<string, PackedMesh>;
+  };
   start: number;
   stop: number;
   tolerance: number;
@@ -64,12 +87,17 @@ export interface Head {
   meshes: PackedMesh[];
   vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
-  events: { time: number; name: string; kind: string }[];
+  events: Occurrence[];
   parameters: Quantity[]; // as the tape counts them
   inputs: Quantity[];
   lasting: number[]; // rows of constraints that come and go
   differentiable: boolean; // the motion has derivatives by its quantities
-  words: Record<string, string>; // why a run ended, by status
+  sliders: string[]; // parameters and inputs that the page begins with
+  curves: string[]; // none: the first coordinates
+  inks: string; // of each character of the source, the letter of its kind
+  words: Record<string, string>; // why a run ended, by status; names of `blamed` for braces
+  blamed: Record<string, string[]>;
+  event_names: { kind: string; names: string[] }[]; // by kinds of events as the runtime counts them
   said: string; // of the recorded motion
   sources: (Span | null)[]; // statements of the text that terms of the equations come from
   // Pages with several motions, one after the other in the data.
@@ -81,6 +109,12 @@ export interface Head {
   locus?: Locus | null;
 }
 
+export interface Occurrence {
+  time: number;
+  name: string;
+  kind: string;
+}
+
 export interface Run {
   label: string;
   rows: number;
@@ -89,7 +123,7 @@ export interface Run {
   pace: number; // seconds of the motion in a second
   said: string;
   parameters: number[] | null;
-  events: { time: number; name: string; kind: string }[];
+  events: Occurrence[];
 }
 
 export interface Mode {
@@ -116,18 +150,17 @@ export function readHead(): Head {
   return JSON.parse(text("head")) as Head;
 }
 
-function bytesOf(packed: string): Uint8Array<ArrayBuffer> {
-  const binary = atob(packed.trim());
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
-
-export async function inflate(packed: string): Promise<Uint8Array<ArrayBuffer>> {
-  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 export function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
   return inflate(text(id));
+}
+
+/** The font of formulas: with many others brackets do not stretch. */
+export async function loadFont(): Promise<void> {
+  document.fonts.add(await new FontFace("lagdsl Math", bytesOf(text("font"))).load());
+}
+
+/** Words of a status, with the names of what is to blame. */
+export function why(head: Head, status: number, blamed: number[]): string {
+  const words = head.words[status] ?? `The run ended with status ${status}.`;
+  return words.replace(/\{(\w+)\}/g, (_, table: string) => [...new Set(blamed.map((k) => head.blamed[table][k]))].join(", "));
 }

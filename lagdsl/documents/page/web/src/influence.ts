@@ -1,5 +1,5 @@
 // Changes of the end of a curve with each slider, the strongest first: derivatives of the motion, once it rests.
-import type { Column, Head, Quantity } from "./head.ts";
+import { why, type Column, type Head, type Quantity } from "./head.ts";
 import { Live, type Outcome } from "./live.ts";
 import { written } from "./numbers.ts";
 import { INTERRUPTED, STOPPED } from "./orders.ts";
@@ -104,10 +104,10 @@ export class Influence {
 
   private show(): void {
     if (this.outcome === null) return;
-    const { status, derivatives, motion, time } = this.outcome;
+    const { status, derivatives, motion, time, blamed } = this.outcome;
     this.rows.replaceChildren();
     if (derivatives.length === 0) {
-      const early = status === STOPPED ? EARLY : (this.head.words[status] ?? EARLY);
+      const early = status === 0 || status === STOPPED ? EARLY : why(this.head, status, blamed);
       this.say(`${status === INTERRUPTED ? LATE : early} (t = ${time.toPrecision(5)} s)`, true);
       return;
     }

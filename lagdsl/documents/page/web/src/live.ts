@@ -1,15 +1,9 @@
 // The worker that integrates: at most one motion under way, and only the newest wish waits.
 import { inflated, type Head } from "./head.ts";
 import { Motion } from "./motion.ts";
-import type { Answer, Setup } from "./orders.ts";
+import type { Answer, Order, Setup } from "./orders.ts";
 
-export interface Outcome {
-  motion: Motion;
-  status: number;
-  time: number;
-  took: number;
-  derivatives: Float64Array;
-}
+export type Outcome = Omit<Answer, "rows"> & { motion: Motion };
 
 /** A session that is not that of the machine: another tape; quantities that its end is differentiated by. */
 export interface Wishes {
@@ -19,7 +13,7 @@ export interface Wishes {
 
 export class Live {
   private busy = false;
-  private waiting: { parameters: Float64Array; inputs: Float64Array } | null = null;
+  private waiting: Omit<Order, "number"> | null = null;
   private number = 0;
 
   private constructor(
@@ -50,6 +44,7 @@ export class Live {
         tolerance: head.tolerance,
         lasting: head.lasting,
         by,
+        entries: head.blamed.entries.length,
       };
       const width = await new Promise<number>((resolve, reject) => {
         worker.onmessage = (event: MessageEvent<{ ready: number }>) => resolve(event.data.ready);
@@ -62,8 +57,8 @@ export class Live {
     }
   }
 
-  run(parameters: Float64Array, inputs: Float64Array): void {
-    this.waiting = { parameters, inputs };
+  run(parameters: Float64Array, inputs: Float64Array, pull: Order["pull"] = null): void {
+    this.waiting = { parameters, inputs, pull };
     if (!this.busy) this.next();
   }
 
@@ -76,8 +71,7 @@ export class Live {
 
   private arrived(answer: Answer): void {
     this.busy = false;
-    const motion = new Motion(this.width, answer.rows);
-    this.told({ motion, status: answer.status, time: answer.time, took: answer.took, derivatives: answer.derivatives });
+    this.told({ ...answer, motion: new Motion(this.width, answer.rows) });
     this.next();
   }
 }

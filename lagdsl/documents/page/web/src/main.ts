@@ -2,8 +2,11 @@
 import { Curves } from "./curves.ts";
 import { film, picture, save, table } from "./files.ts";
 import { gif } from "./gif.ts";
-import { inflated, readHead, type Head, type Shape, type Span } from "./head.ts";
+import { make, place } from "./dom.ts";
+import { grab } from "./grab.ts";
+import { inflated, loadFont, readHead, why, type Occurrence, type Head, type Shape, type Span } from "./head.ts";
 import { Influence } from "./influence.ts";
+import { keys } from "./keys.ts";
 import { Live, type Outcome } from "./live.ts";
 import { geometryOf } from "./meshes.ts";
 import { recorded, together, type Motion } from "./motion.ts";
@@ -16,20 +19,16 @@ import { Stage } from "./stage.ts";
 import { tabs } from "./tabs.ts";
 import { overlap, Terms } from "./terms.ts";
 import { buttons, menu, type Buttons } from "./toolbar.ts";
-import { INTERRUPTED } from "./orders.ts";
+import { INTERRUPTED, type Pull } from "./orders.ts";
 
 const ROWS = 601;
 const GHOSTS = 5;
 const FRAMES = 72;
 const FRAME_WIDTH = 480;
 const LONGEST_WAIT = 500; // [ms] for the first picture
-const KEYS = "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v velocities, f the whole machine";
-
-function place(id: string): HTMLElement {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`the page has no #${id}`);
-  return found;
-}
+const KEYS =
+  "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v velocities, f the whole machine, k keep this motion, p present";
+const COMPARED = ["one motion", "kept one behind", "kept one beside"];
 
 class Page {
   private motion: Motion;
@@ -43,8 +42,11 @@ class Page {
   private readonly cells: HTMLElement[];
   private live: Live | null = null;
   private ghosts = false;
+  private kept: Motion | null = null; // to compare with
+  private events: Occurrence[];
   private arrows: Promise<Live | null> | null = null; // the motion behind arrows, once one asked for it
   private endFilm: (() => void) | null = null;
+  private readonly comparing = make("select");
   private ghostly: HTMLButtonElement | null = null;
   private speedy: HTMLButtonElement | null = null; // the switch of velocities
 
@@ -55,6 +57,7 @@ class Page {
   ) {
     const [motion] = motions;
     this.motion = motion;
+    this.events = head.events;
     this.numbers = new Float64Array(motion.width);
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, together(motions), place("sliders"), () => this.again());
@@ -73,6 +76,13 @@ class Page {
     this.tools();
     this.keys();
     this.pointer();
+    grab(head, stage, place("stage"), {
+      ready: () => this.live !== null,
+      begin: () => this.startHere(),
+      pull: (pull) => this.again(pull),
+      turn: (name, to) => this.sliders.set(name, to),
+    });
+    if (location.hash === "#present") this.present(true);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.stage.theme());
     this.say(head.said);
     this.pose(head.start);
@@ -100,6 +110,7 @@ class Page {
     const run = this.head.runs?.[number];
     if (run === undefined) return;
     this.motion = this.motions[number];
+    this.events = run.events;
     this.player.over(run.start, run.stop, run.pace);
     this.player.mark(run.events);
     this.curves.show(this.motion, run.events);
@@ -132,10 +143,34 @@ class Page {
     this.cells.forEach((cell, i) => (cell.textContent = shown(this.head.columns[i], this.numbers[i])));
   }
 
-  private again(): void {
+  private again(pull: Pull | null = null): void {
     this.influence.rest(this.sliders.parameters, this.sliders.inputs);
-    this.live?.run(this.sliders.parameters, this.sliders.inputs);
+    this.live?.run(this.sliders.parameters, this.sliders.inputs, pull);
     void this.arrows?.then((live) => live?.run(this.sliders.parameters, this.sliders.inputs));
+  }
+
+  /** The start of the motion gets the present posture. */
+  private startHere(): void {
+    this.player.pause();
+    this.head.columns.forEach(({ name, kind }, i) => {
+      if (kind === "coordinate") this.sliders.put(`${name}.start`, this.numbers[i]);
+    });
+    this.player.go(-Infinity);
+  }
+
+  /** Keeps the present motion and shows another one with it. */
+  private compare(way: number): void {
+    this.kept = way === 0 ? null : (this.kept ?? this.motion);
+    this.stage.compare(this.kept, way === 2);
+    this.curves.behind(this.kept === null ? (this.head.modes === undefined ? this.motions.slice(1) : []) : [this.kept]);
+    this.pose(this.player.time);
+  }
+
+  /** The picture alone, in large type. */
+  private present(on: boolean): void {
+    document.documentElement.toggleAttribute("data-present", on);
+    if (on && location.hash !== "#present") void document.documentElement.requestFullscreen?.().catch(() => undefined);
+    else if (document.fullscreenElement !== null) void document.exitFullscreen();
   }
 
   /** Switches a kind of arrows; the first time, the motion is integrated anew, that of the machine with it. */
@@ -197,11 +232,19 @@ class Page {
     if (legend.textContent !== words) legend.textContent = words; // at each picture of a motion
   }
 
-  private arrived({ motion, status, time, took }: Outcome): void {
-    if (motion.count > 0) {
+  private arrived({ motion, status, time, took, parameters, events, blamed }: Outcome): void {
+    const failed = motion.count === 0;
+    document.documentElement.toggleAttribute("data-failed", failed);
+    if (failed) this.player.pause();
+    else {
       this.motion = motion;
-      this.curves.show(motion);
-      this.player.mark([]);
+      this.events = events.map(([at, what, which]) => {
+        const { kind, names } = this.head.event_names[what];
+        return { time: at, kind, name: names[which] ?? "" };
+      });
+      this.sliders.take(parameters);
+      this.curves.show(motion, this.events);
+      this.player.mark(this.events);
       this.stage.follow(motion);
       this.haunt();
       this.pose(this.player.time);
@@ -209,7 +252,7 @@ class Page {
     document.documentElement.dataset.took = took.toFixed(2);
     if (status === 0) this.say(`Integrated anew in ${took.toFixed(1)} ms.`);
     else if (status === INTERRUPTED) this.say(`This motion takes long; it is shown up to ${time.toPrecision(4)} s.`);
-    else this.say(`${this.head.words[status] ?? `The run ended with status ${status}.`} (t = ${time.toPrecision(5)} s)`);
+    else this.say(`${failed ? "This start cannot be. " : ""}${why(this.head, status, blamed)} (t = ${time.toPrecision(5)} s)`);
   }
 
   private say(words: string): void {
@@ -220,15 +263,9 @@ class Page {
   private values(): HTMLElement[] {
     const body = place("values");
     return this.head.columns.slice(0, this.head.scene.first).map((column) => {
-      const row = document.createElement("tr");
-      const name = document.createElement("th");
-      name.scope = "row";
-      name.textContent = column.name;
-      const value = document.createElement("td");
-      const unit = document.createElement("td");
-      unit.textContent = column.display.unit;
-      row.append(name, value, unit);
-      body.append(row);
+      const value = make("td");
+      const name = make("th", { scope: "row", textContent: column.name });
+      body.append(make("tr", {}, name, value, make("td", { textContent: column.display.unit })));
       return value;
     });
   }
@@ -250,7 +287,13 @@ class Page {
     this.ghostly = button("ghosts", "Pale postures of several instants (key g)", () => this.toggleGhosts());
     this.ghostly.ariaPressed = "false";
     button("fit", "The whole machine (key f)", () => this.fit());
+    button("present", "The picture alone, in large type (key p)", () => this.present(true));
     button("keys", KEYS, () => this.say(KEYS));
+    this.comparing.title = "Keep this motion (key k), and see it with the next ones";
+    this.comparing.ariaLabel = this.comparing.title;
+    this.comparing.append(...COMPARED.map((words, i) => new Option(words, `${i}`)));
+    this.comparing.onchange = () => this.compare(Number(this.comparing.value));
+    place("tools").append(this.comparing);
     this.saving();
   }
 
@@ -289,10 +332,8 @@ class Page {
       made.ariaPressed = "false";
       if (kind === "velocity") this.speedy = made;
     }
-    const chooser = document.createElement("select");
-    chooser.title = "The coordinate that moves";
-    chooser.ariaLabel = chooser.title;
-    chooser.hidden = true;
+    const title = "The coordinate that moves";
+    const chooser = make("select", { title, ariaLabel: title, hidden: true });
     chooser.append(new Option("all coordinates", ""), ...overlay.coordinates.map((name) => new Option(name, name)));
     chooser.onchange = () => {
       overlay.coordinate = chooser.value;
@@ -312,11 +353,12 @@ class Page {
   private async filmed(): Promise<void> {
     this.player.pause();
     const { canvas } = this.stage;
-    const small = document.createElement("canvas");
-    small.width = Math.min(FRAME_WIDTH, canvas.width);
-    small.height = Math.round((small.width * canvas.height) / canvas.width);
+    const width = Math.min(FRAME_WIDTH, canvas.width);
+    const small = make("canvas", { width, height: Math.round((width * canvas.height) / canvas.width) });
     const pen = small.getContext("2d", { willReadFrequently: true });
     if (pen === null) return;
+    Object.assign(pen, { imageSmoothingQuality: "high" });
+    this.stage.filming(true);
     const { time } = this.player;
     const first = this.motion.at(0, 0);
     const length = this.motion.last - first;
@@ -333,30 +375,35 @@ class Page {
     const seconds = Math.min(Math.max(length, 3), 10);
     save(gif(frames, (1000 * seconds) / FRAMES), `${this.head.name}.gif`);
     this.say("The film is saved.");
+    this.stage.filming(false);
     this.pose(time);
   }
 
   private keys(): void {
-    document.addEventListener("keydown", (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
-      if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
-      const acts: Record<string, () => void> = {
-        " ": () => this.player.toggle(),
-        ArrowRight: () => this.player.step(0.01),
-        ArrowLeft: () => this.player.step(-0.01),
-        "+": () => this.player.faster(1),
-        "-": () => this.player.faster(-1),
-        g: () => this.toggleGhosts(),
-        v: () => this.speedy?.click(),
-        f: () => this.fit(),
-        Home: () => this.player.go(-Infinity),
-        End: () => this.player.go(Infinity),
-      };
-      const act = acts[event.key];
-      if (act === undefined || (event.key === " " && event.target instanceof HTMLButtonElement)) return;
-      event.preventDefault();
-      act();
+    keys({
+      " ": () => this.player.toggle(),
+      ArrowRight: () => this.player.step(0.01),
+      ArrowLeft: () => this.player.step(-0.01),
+      "+": () => this.player.faster(1),
+      "-": () => this.player.faster(-1),
+      g: () => this.toggleGhosts(),
+      v: () => this.speedy?.click(),
+      f: () => this.fit(),
+      k: () => this.keep(),
+      p: () => this.present(!document.documentElement.hasAttribute("data-present")),
+      Escape: () => this.present(false),
+      Home: () => this.player.go(-Infinity),
+      End: () => this.player.go(Infinity),
     });
+    document.addEventListener("fullscreenchange", () => {
+      if (document.fullscreenElement === null && location.hash !== "#present") this.present(false);
+    });
+  }
+
+  private keep(): void {
+    this.kept = this.motion;
+    this.comparing.value = `${Math.max(Number(this.comparing.value), 1)}`;
+    this.compare(Number(this.comparing.value));
   }
 
   private pointer(): void {
@@ -387,10 +434,12 @@ async function main(): Promise<void> {
   const head = readHead();
   const meshes = await Promise.all(head.meshes.map(geometryOf));
   const motions = recorded(head, await inflated("motion"));
-  const stage = new Stage(head, together(motions), meshes, place("stage"));
+  const forms = Object.entries(head.stage.forms).map(async ([name, mesh]) => [name, await geometryOf(mesh)] as const);
+  const stage = new Stage(head, together(motions), meshes, new Map(await Promise.all(forms)), place("stage"));
   const [first] = motions;
   stage.pose(first, first.state(head.start, new Float64Array(first.width)), head.start);
   await shownOnce();
+  void loadFont();
   await new Page(head, motions, stage).begin();
 }
 

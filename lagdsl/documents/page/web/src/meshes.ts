@@ -1,7 +1,8 @@
 // Triangles of meshes, as lagdsl/page/meshes.py packs them.
 import { BufferAttribute, BufferGeometry } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import { inflate, type PackedMesh } from "./head.ts";
+import type { PackedMesh } from "./head.ts";
+import { inflate } from "./packed.ts";
 
 const SMOOTH = Math.PI / 6; // edges that turn less look round
 

@@ -31,13 +31,31 @@ export function above(value: number): number {
   return ([1, 2, 5].find((part) => part * ten >= value * (1 - 1e-9)) ?? 10) * ten;
 }
 
-/** One event for each part of a bar, no tick of a clock if there is another: more marks than that are a line of color. */
+/** One event for each part of a bar that is no tick of a clock: more marks than that are a line of color. */
 export function apart<Event extends { time: number; kind: string }>(events: readonly Event[], start: number, stop: number): Event[] {
-  const parts = 400;
-  const found = new Map<number, Event>();
-  for (const event of events) {
-    const part = Math.floor((parts * (event.time - start)) / (stop - start || 1));
-    if ((found.get(part)?.kind ?? "tick") === "tick") found.set(part, event);
-  }
-  return [...found.values()];
+  const found = events.filter(({ kind }) => kind !== "tick").map((event) => [partOf(event.time, start, stop, 400), event] as const);
+  return [...new Map(found.reverse()).values()].reverse();
+}
+
+const PARTS = 100;
+
+/** How often clocks tick in equal parts of the time, as parts of the most often. */
+export function density(events: readonly { time: number; kind: string }[], start: number, stop: number): number[] {
+  const counts = new Array<number>(PARTS).fill(0);
+  for (const { time, kind } of events) if (kind === "tick") ++counts[partOf(time, start, stop, PARTS)];
+  const most = Math.max(...counts);
+  return most > 0 ? counts.map((count) => count / most) : [];
+}
+
+function partOf(time: number, start: number, stop: number, parts: number): number {
+  return Math.min(Math.max(Math.floor((parts * (time - start)) / (stop - start || 1)), 0), parts - 1);
+}
+
+const LETTERS = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi chi psi omega";
+const GREEK = "αβγδεζηθικλμνξοπρστυφχψω";
+
+/** A name whose words of Greek letters are these letters. */
+export function greek(name: string): string {
+  const words = LETTERS.split(" ");
+  return name.replace(/[a-z]+/g, (word) => (words.includes(word) ? GREEK[words.indexOf(word)] : word));
 }

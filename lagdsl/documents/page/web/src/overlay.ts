@@ -2,7 +2,8 @@
 import type { Group } from "three";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
+import { greek } from "./numbers.ts";
+import { drawn as made, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 export type Vectors = NonNullable<Head["vectors"]>;
 
@@ -20,6 +21,7 @@ const UNITS: Record<string, string> = {
 };
 const PALETTE = ["#db2777", "#7c3aed", "#0891b2", "#65a30d", "#ca8a04", "#dc2626", "#2563eb", "#0d9488"];
 const LONGEST = 0.3; // of the machine
+const TURNING = 0.4; // of the longest arrow: the radius of one of a torque
 const MOST_TOLD = 8;
 const ROUNDING = 1e-10;
 /** By number, as lagdsl/scene/vectors.py tells them. */
@@ -45,10 +47,10 @@ export class Overlay {
     this.coordinates = [...new Set(moving)];
     for (const shape of vectors.shapes.filter(hasPlace)) {
       const index = this.coordinates.indexOf(shape.texts.coordinate ?? "");
-      if (index >= 0) shape.texts.color = PALETTE[index % PALETTE.length];
-      const own = this.scales.get(scaleOf(shape)) ?? { ...sizes, first: vectors.first };
+      if (index >= 0) for (const part of shape.parts) part.color = PALETTE[index % PALETTE.length];
+      const own = this.scales.get(scaleOf(shape)) ?? { ...sizes, first: vectors.first, scales: {} };
       this.scales.set(scaleOf(shape), own);
-      const drawn = MAKERS.force(shape, own);
+      const drawn = made(shape, own);
       drawn.object.traverse((object) => (object.userData.shape = shape));
       drawn.object.visible = false;
       this.drawn.push(drawn);
@@ -81,7 +83,8 @@ export class Overlay {
       const largest = most.get(kind) ?? 0;
       // A torque that is the rounding of forces at the size of the machine is none.
       const arm = kind.startsWith("reaction torque") ? this.sizes.length * (most.get("reaction N") ?? 0) : 0;
-      own.force = largest > ROUNDING * arm ? (LONGEST * this.sizes.length) / largest : 0;
+      const longest = largest > ROUNDING * arm ? (LONGEST * this.sizes.length) / largest : 0;
+      own.scales = { force: longest, torque: TURNING * longest };
     }
   }
 
@@ -95,8 +98,8 @@ export class Overlay {
     for (const drawn of this.drawn) {
       const chosen = this.coordinate === "" || (drawn.shape.texts.coordinate ?? this.coordinate) === this.coordinate;
       const visible = this.shown.has(switchOf(drawn.shape)) && chosen && this.motion !== null;
+      drawn.object.visible = visible;
       if (visible) drawn.update(frame);
-      else drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
   }
@@ -104,23 +107,35 @@ export class Overlay {
   /** The value behind an arrow, with its unit. */
   value(shape: Shape): string {
     if (shape.kind === "friction") return this.rubs(shape);
-    const at = vector(shape, "vector", { numbers: this.numbers, first: this.vectors.first });
+    const at = vector(shape.numbers, "vector", { numbers: this.numbers, first: this.vectors.first });
     return `${sizeText(at.length())} ${unitOf(shape)}`;
   }
 
   /** The value that the longest arrow of each switched kind stands for; what each friction does now. */
   legend(): string[] {
     const lines: string[] = [];
+    const moving: string[] = [];
     for (const [kind, own] of this.scales) {
       const shape = this.vectors.shapes.find((each) => scaleOf(each) === kind);
-      if (shape === undefined || !this.shown.has(switchOf(shape)) || own.force === 0) continue;
-      lines.push(`${shape.kind}: longest ${sizeText((LONGEST * this.sizes.length) / own.force)} ${unitOf(shape)}`);
+      if (shape === undefined || !this.shown.has(switchOf(shape)) || own.scales.force === 0) continue;
+      const unit = unitOf(shape) === "1" ? "" : ` ${unitOf(shape)}`;
+      const size = `${sizeText((LONGEST * this.sizes.length) / own.scales.force)}${unit}`;
+      if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${greek(name)}: ${size}`));
+      else lines.push(`${shape.kind}: longest ${size}`);
     }
+    if (moving.length > 0) lines.unshift(`longest ${moving.join(", ")}`);
     if (!this.shown.has("friction") || this.motion === null) return lines;
     const rubbing = new Map(this.vectors.shapes.filter(({ kind }) => kind === "friction").map((shape) => [shape.name, shape]));
     const told = [...rubbing.values()].map((shape) => `${shape.name}: ${this.rubs(shape)}`);
     const more = told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [];
     return [...lines, ...told.slice(0, MOST_TOLD), ...more];
+  }
+
+  /** Shown coordinates whose admissible motions have this unit. */
+  private movedIn(unit: string): string[] {
+    const own = this.vectors.shapes.filter((shape) => shape.kind === "admissible" && unitOf(shape) === unit);
+    const names = [...new Set(own.flatMap((shape) => shape.texts.coordinate ?? []))];
+    return names.filter((name) => this.coordinate === "" || name === this.coordinate);
   }
 
   /** Mode and force of friction: the mode of the last row, for between two rows it is neither. */

@@ -1,6 +1,7 @@
 // The clock of the page: play, pause, scrub, speed; the ticks of events.
-import type { Head } from "./head.ts";
-import { above, apart } from "./numbers.ts";
+import { make } from "./dom.ts";
+import type { Occurrence, Head } from "./head.ts";
+import { above, apart, density } from "./numbers.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const SECONDS = [1, 60]; // motions of these lengths begin in real time, all others take a few seconds to watch
@@ -38,21 +39,13 @@ export class Player {
     this.speed = this.again ? 1 : usual(head.stop - head.start);
     const parts = this.speed === 1 ? SPEEDS : [...[0.1, 0.2, 0.5, 1, 2, 5].map((part) => part * this.speed), 1];
     this.choices = [...new Set(parts.map((speed) => Number(speed.toPrecision(3))))].sort((a, b) => a - b);
-    this.button = document.createElement("button");
-    this.button.className = "play";
-    this.button.onclick = () => this.toggle();
-    this.bar = document.createElement("input");
-    Object.assign(this.bar, { type: "range", min: `${head.start}`, max: `${head.stop}`, step: "any", value: `${head.start}` });
-    this.bar.setAttribute("aria-label", "Time");
+    this.button = make("button", { className: "play", onclick: () => this.toggle() });
+    const { start: min, stop: max } = head;
+    this.bar = make("input", { type: "range", min: `${min}`, max: `${max}`, step: "any", value: `${min}`, ariaLabel: "Time" });
     this.bar.oninput = () => this.go(Number(this.bar.value));
-    this.clock = document.createElement("output");
-    this.clock.className = "clock";
-    this.ticks = document.createElement("div");
-    this.ticks.className = "ticks";
-    this.ticks.setAttribute("aria-hidden", "true");
-    const track = document.createElement("div");
-    track.className = "track";
-    track.append(this.ticks, this.bar);
+    this.clock = make("output", { className: "clock" });
+    this.ticks = make("div", { className: "ticks", ariaHidden: "true" });
+    const track = make("div", { className: "track" }, this.ticks, this.bar);
     this.chooser = this.speeds();
     place.append(this.button, track, this.clock, this.chooser);
     this.mark(head.events);
@@ -78,24 +71,21 @@ export class Player {
   }
 
   private speeds(): HTMLSelectElement {
-    const select = document.createElement("select");
-    select.setAttribute("aria-label", "Speed");
+    const select = make("select", { ariaLabel: "Speed" });
     for (const speed of this.choices) select.append(new Option(`${speed}×`, `${speed}`, speed === this.speed, speed === this.speed));
     select.onchange = () => (this.speed = Number(select.value));
     return select;
   }
 
-  mark(events: { time: number; name: string; kind: string }[]): void {
+  mark(events: Occurrence[]): void {
     const [start, stop] = this.span;
-    this.ticks.replaceChildren(
-      ...apart(events, start, stop).map(({ time, name, kind }) => {
-        const tick = document.createElement("i");
-        tick.style.left = `${(100 * (time - start)) / (stop - start)}%`;
-        tick.title = `${name} ${kind}`;
-        tick.className = kind;
-        return tick;
-      }),
-    );
+    const ticks = apart(events, start, stop).map(({ time, name, kind }) => {
+      const tick = make("i", { title: `${name} ${kind}`, className: kind });
+      tick.style.left = `${(100 * (time - start)) / (stop - start)}%`;
+      return tick;
+    });
+    const often = density(events, start, stop).map((part) => make("b", { style: `opacity: ${0.5 * part}` } as object));
+    this.ticks.replaceChildren(...often, ...ticks);
   }
 
   toggle(): void {

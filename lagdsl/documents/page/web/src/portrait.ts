@@ -1,6 +1,7 @@
 // One column against another: a phase portrait, or a path.
 import uPlot from "uplot";
-import { axis, INKS, upright, WIDE } from "./axis.ts";
+import { axis, edged, INKS, upright, WIDE } from "./axis.ts";
+import { make } from "./dom.ts";
 import type { Column, Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
@@ -8,8 +9,8 @@ const LONGEST_NAME = 20;
 
 export class Portrait {
   private plot: uPlot | null = null;
-  private readonly board = document.createElement("div");
-  private readonly dot = document.createElement("i");
+  private readonly board = make("div");
+  private readonly dot = make("i", { className: "dot" });
   private readonly choices: [HTMLSelectElement, HTMLSelectElement];
 
   constructor(
@@ -21,19 +22,14 @@ export class Portrait {
     const count = columns.filter((column) => column.kind === "coordinate").length;
     const across = count > 0 ? 1 : Math.min(1, columns.length - 1);
     const upward = count > 0 ? 1 + count : columns.length - 1;
-    this.choices = [this.choice("right", columns, across), this.choice("up", columns, upward)];
-    this.dot.className = "dot";
+    this.choices = [this.choice("to the right", columns, across), this.choice("upward", columns, upward)];
     if (columns.length < 2) return;
-    const bar = document.createElement("p");
-    bar.className = "portrait";
-    bar.append(this.choices[1], " over ", this.choices[0]);
-    place.append(bar, this.board);
+    place.append(make("p", { className: "portrait" }, this.choices[1], " over ", this.choices[0]), this.board);
     this.rebuild();
   }
 
   private choice(way: string, columns: Column[], chosen: number): HTMLSelectElement {
-    const select = document.createElement("select");
-    select.setAttribute("aria-label", `Column of the portrait, to the ${way}`.replace("to the up", "upward"));
+    const select = make("select", { ariaLabel: `Column of the portrait, ${way}` });
     columns.forEach(({ name }, i) => select.append(new Option(name, `${i}`, i === chosen, i === chosen)));
     select.onchange = () => this.rebuild();
     return select;
@@ -60,9 +56,7 @@ export class Portrait {
       let [low, high] = [Infinity, -Infinity];
       for (const value of this.values(k)) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
       if (!(high > low)) [low, high] = [(Number.isFinite(low) ? low : 0) - 1, (Number.isFinite(high) ? high : 0) + 1];
-      const size = Math.max(Math.abs(low), Math.abs(high));
-      const edge = Math.max(0.06 * (high - low), high - low < 1e-6 * size ? 1e-3 * size : 0, 1e-12);
-      return [low - edge, high + edge];
+      return edged(low, high);
     };
     this.plot = new uPlot(
       {

@@ -1,4 +1,5 @@
 // Several motions: a slider over the runs of a sweep; modes by frequency, with amplitudes; eigenvalues over a parameter.
+import { make } from "./dom.ts";
 import type { Head, Mode } from "./head.ts";
 import { locus } from "./locus.ts";
 
@@ -12,43 +13,35 @@ export class Runs {
     place: HTMLElement,
     private readonly chosen: (run: number) => void,
   ) {
-    const board = document.createElement("section");
-    board.id = "runs";
+    const board = make("section", { id: "runs" });
     if (head.modes !== undefined) this.modes(board, head.modes);
     else if (head.runs !== undefined && head.runs.length > 1) this.sweep(board, head.runs.map((run) => run.label));
     place.prepend(board);
   }
 
   private sweep(board: HTMLElement, labels: string[]): void {
-    const label = document.createElement("label");
-    const bar = document.createElement("input");
-    Object.assign(bar, { type: "range", min: "0", max: `${labels.length - 1}`, step: "1", value: "0" });
-    bar.setAttribute("aria-label", "Run");
-    const words = document.createElement("output");
+    const bar = make("input", { type: "range", min: "0", max: `${labels.length - 1}`, step: "1", value: "0", ariaLabel: "Run" });
+    const words = make("output");
     const tell = (): void => {
       const run = Number(bar.value);
       words.textContent = `Run ${run + 1} of ${labels.length}: ${labels[run]}`;
-      bar.setAttribute("aria-valuetext", words.textContent);
+      bar.ariaValueText = words.textContent;
     };
     bar.oninput = () => {
       tell();
       this.chosen(Number(bar.value));
     };
     tell();
-    label.append(words, bar);
-    board.append(label);
+    board.append(make("label", {}, words, bar));
   }
 
   private modes(board: HTMLElement, modes: Mode[]): void {
     const levels = this.head.levels ?? [""];
     this.level = Math.min(1, levels.length - 1);
-    const words = document.createElement("p");
-    words.textContent = this.head.stability ?? "";
-    const list = document.createElement("div");
-    list.className = "modes";
+    const words = make("p", { textContent: this.head.stability ?? "" });
+    const list = make("div", { className: "modes" });
     modes.forEach((mode, i) => {
-      const button = document.createElement("button");
-      button.textContent = `${i + 1}: ${title(mode)}`;
+      const button = make("button", { textContent: `${i + 1}: ${title(mode)}` });
       button.onclick = () => {
         this.mode = i;
         this.show(modes, shape);
@@ -56,15 +49,13 @@ export class Runs {
       this.buttons.push(button);
       list.append(button);
     });
-    const size = document.createElement("select");
-    size.setAttribute("aria-label", "Amplitude");
+    const size = make("select", { ariaLabel: "Amplitude" });
     levels.forEach((name, i) => size.append(new Option(`amplitude: ${name}`, `${i}`, i === this.level, i === this.level)));
     size.onchange = () => {
       this.level = Number(size.value);
       this.show(modes, shape);
     };
-    const shape = document.createElement("table");
-    shape.className = "shape";
+    const shape = make("table", { className: "shape" });
     board.append(words, list, size, shape);
     if (this.head.locus != null) board.append(locus(this.head.locus));
     this.show(modes, shape);
@@ -77,16 +68,10 @@ export class Runs {
 
   private show(modes: Mode[], shape: HTMLTableElement): void {
     this.buttons.forEach((button, i) => (button.ariaPressed = `${i === this.mode}`));
-    const head = document.createElement("tr");
-    head.innerHTML = '<th scope="col">shape</th><th scope="col">size</th><th scope="col">phase</th>';
+    const head = make("tr", {}, ...["shape", "size", "phase"].map((textContent) => make("th", { scope: "col", textContent })));
     const rows = modes[this.mode].shape.map(({ name, size, phase }) => {
-      const row = document.createElement("tr");
-      for (const text of [name, size.toPrecision(3), size > 1e-9 ? `${phase.toFixed(0)}°` : ""]) {
-        const cell = document.createElement("td");
-        cell.textContent = text;
-        row.append(cell);
-      }
-      return row;
+      const texts = [name, size.toPrecision(3), size > 1e-9 ? `${phase.toFixed(0)}°` : ""];
+      return make("tr", {}, ...texts.map((textContent) => make("td", { textContent })));
     });
     shape.replaceChildren(head, ...rows);
     this.chosen(this.run);

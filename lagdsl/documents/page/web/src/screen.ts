@@ -1,12 +1,12 @@
 // The canvas: as fine as the processor that draws it allows.
-import { type Camera, type Scene, WebGLRenderer } from "three";
+import { type Camera, type Color, Mesh, MeshBasicMaterial, OrthographicCamera, PlaneGeometry, Scene, Vector2, WebGLRenderer } from "three";
 
 /** [ms] without a new picture: the machine rests. Slow pictures follow each other slowly. */
 const CALM = 250;
 const LONGEST_CALM = 2000;
 const CALM_PICTURES = 4;
-const SMOOTH = 24; // so many shapes software draws in full detail
 const FINEST = 2;
+const VEIL = 0.75; // opacity of what makes a picture behind another one pale
 
 function bySoftware(context: WebGL2RenderingContext): boolean {
   const known = context.getExtension("WEBGL_debug_renderer_info");
@@ -19,8 +19,10 @@ export class Screen {
   private readonly renderer: WebGLRenderer;
   private readonly software: boolean;
   private fine = true;
+  private film = false;
   private rest = 0;
   private before = 0;
+  private readonly veil = new Mesh(new PlaneGeometry(2, 2), new MeshBasicMaterial({ transparent: true, opacity: VEIL, depthTest: false }));
 
   /** `redraw` is asked for when the machine rests: then software has time for a finer picture. */
   constructor(private readonly redraw: () => void) {
@@ -41,11 +43,6 @@ export class Screen {
     this.ratio();
   }
 
-  /** The part of the faces of round shapes that is drawn, where there are `count` of them. */
-  detail(count: number): number {
-    return this.software ? Math.min(1, Math.sqrt(SMOOTH / Math.max(count, 1))) : 1;
-  }
-
   size(width: number, height: number): void {
     this.renderer.setSize(width, height);
   }
@@ -53,6 +50,40 @@ export class Screen {
   draw(scene: Scene, camera: Camera): void {
     if (this.software) this.soften();
     this.renderer.render(scene, camera);
+  }
+
+  /** Two pictures of a scene, each posed before it is drawn: the first left of the second, or pale behind it. */
+  pair(scene: Scene, camera: Camera, beside: boolean, poses: [() => void, () => void]): void {
+    if (this.software) this.soften();
+    const { renderer } = this;
+    const { background } = scene;
+    const { x: width, y: height } = renderer.getSize(new Vector2());
+    renderer.autoClear = false;
+    renderer.setScissorTest(beside);
+    poses.forEach((pose, k) => {
+      pose();
+      if (beside) {
+        renderer.setViewport((k * width) / 2, 0, width / 2, height);
+        renderer.setScissor((k * width) / 2, 0, width / 2, height);
+      } else if (k === 1) {
+        this.veil.material.color = background as Color;
+        renderer.render(new Scene().add(this.veil), new OrthographicCamera(-1, 1, 1, -1, -1, 1));
+        renderer.clearDepth();
+        scene.background = null;
+      }
+      renderer.render(scene, camera);
+    });
+    scene.background = background;
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, width, height);
+    renderer.autoClear = true;
+  }
+
+  /** All pictures fine, or as usual: those of a film have time. */
+  filming(on: boolean): void {
+    clearTimeout(this.rest);
+    this.rest = on ? -1 : 0;
+    this.film = on;
   }
 
   /** While pictures follow each other each has the pixels of the page; one that stays has more, and smooth edges. */
@@ -66,7 +97,7 @@ export class Screen {
     const now = performance.now();
     const calm = Math.min(Math.max(CALM_PICTURES * (now - this.before), CALM), LONGEST_CALM);
     this.before = now;
-    this.rest = resting ? 0 : setTimeout(() => {
+    this.rest = this.film ? -1 : resting ? 0 : setTimeout(() => {
       this.rest = -1;
       this.redraw();
     }, calm);

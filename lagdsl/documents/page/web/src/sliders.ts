@@ -1,13 +1,14 @@
 // Sliders for parameters, start values and inputs.
 import { judged, snapped } from "./bounds.ts";
+import { make } from "./dom.ts";
 import type { Head, Quantity } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above, written } from "./numbers.ts";
 
 const GROUPS: [Quantity["group"], string][] = [
-  ["start", "Start values"],
-  ["parameter", "Parameters"],
-  ["input", "Inputs"],
+  ["start", "More start values"],
+  ["parameter", "More parameters"],
+  ["input", "More inputs"],
 ];
 const STEPS = 1000;
 
@@ -33,7 +34,7 @@ export function shown(quantity: { display: { scale: number; shift: number } }, s
 
 /** A name that may go on in another line behind its dots and lines, and before its indices. */
 function breakable(name: string): (string | HTMLElement)[] {
-  return name.split(/(?<=[._])|(?=\[)/).flatMap((part) => [part, document.createElement("wbr")]);
+  return name.split(/(?<=[._])|(?=\[)/).flatMap((part) => [part, make("wbr")]);
 }
 
 export class Sliders {
@@ -46,24 +47,39 @@ export class Sliders {
     private readonly changed: () => void,
   ) {
     this.values = new Map([...head.parameters, ...head.inputs].map((quantity) => [quantity, quantity.value]));
+    const chosen = head.sliders.flatMap((name) => [...this.values.keys()].filter((quantity) => quantity.name === name));
+    place.append(...chosen.map((quantity) => this.row(quantity)));
     for (const [group, title] of GROUPS) {
-      const members = [...this.values.keys()].filter((quantity) => quantity.group === group);
-      if (members.length === 0) continue;
-      const details = document.createElement("details");
-      details.open = members.length <= 24;
-      const summary = document.createElement("summary");
-      summary.textContent = title;
-      details.append(summary, ...members.map((quantity) => this.row(quantity)));
-      place.append(details);
+      const others = [...this.values.keys()].filter((quantity) => quantity.group === group && !chosen.includes(quantity));
+      if (others.length === 0) continue;
+      const open = chosen.length === 0;
+      place.append(make("details", { open }, make("summary", { textContent: title }), ...others.map((quantity) => this.row(quantity))));
     }
-    const reset = document.createElement("button");
-    reset.textContent = "Reset all";
-    reset.onclick = () => {
+    const reset = (): void => {
       for (const quantity of this.values.keys()) this.values.set(quantity, quantity.value);
-      place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
+      this.reread();
       changed();
     };
-    place.append(reset);
+    place.append(make("button", { textContent: "Reset all", onclick: reset }));
+  }
+
+  /** Another value of a quantity by its name, if there is such a one. */
+  put(name: string, si: number): void {
+    const found = [...this.values.keys()].find((quantity) => quantity.name === name);
+    if (found !== undefined) this.values.set(found, si);
+    this.reread();
+  }
+
+  /** The same from the value before; the motion follows. */
+  set(name: string, to: (before: number) => number): void {
+    const found = this.head.parameters.find((quantity) => quantity.name === name);
+    if (found === undefined) return;
+    this.put(name, to(this.values.get(found) ?? found.value));
+    this.changed();
+  }
+
+  private reread(): void {
+    this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
   }
 
   get parameters(): Float64Array {
@@ -75,9 +91,9 @@ export class Sliders {
   }
 
   /** The parameters of a run. */
-  take(parameters: number[]): void {
+  take(parameters: ArrayLike<number>): void {
     this.head.parameters.forEach((quantity, i) => this.values.set(quantity, parameters[i]));
-    this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
+    this.reread();
   }
 
   /** The largest size of a quantity along the recorded motion; of one that rests, that of all of its kind and unit. */
@@ -92,23 +108,11 @@ export class Sliders {
   private row(quantity: Quantity): HTMLElement {
     const title = quantity.group === "start" ? quantity.name.replace(/\.start$/, "") : quantity.name;
     const [low, high] = range(quantity, quantity.group === "start" ? this.largest(title) : 0);
-    const label = document.createElement("label");
-    label.title = quantity.doc ?? "";
-    const name = document.createElement("span");
-    name.append(...breakable(title));
-    const bar = document.createElement("input");
     const whole = quantity.kind !== "Real";
-    Object.assign(bar, { type: "range", min: "0", max: `${STEPS}`, step: whole ? "any" : "1" });
-    bar.setAttribute("aria-label", quantity.name);
-    const field = document.createElement("input");
-    Object.assign(field, { type: "number", step: "any" });
-    field.setAttribute("aria-label", `${quantity.name} in ${quantity.display.unit || "SI units"}`);
-    const unit = document.createElement("span");
-    unit.className = "unit";
-    unit.textContent = quantity.display.unit;
-    const fault = document.createElement("span");
-    fault.className = "fault";
-    fault.setAttribute("aria-live", "polite");
+    const { unit } = quantity.display;
+    const bar = make("input", { type: "range", min: "0", max: `${STEPS}`, step: whole ? "any" : "1", ariaLabel: quantity.name });
+    const field = make("input", { type: "number", step: "any", ariaLabel: `${quantity.name} in ${unit || "SI units"}` });
+    const fault = make("span", { className: "fault", ariaLive: "polite" });
     const tell = (words: string): void => {
       fault.textContent = words;
       fault.hidden = words === "";
@@ -137,9 +141,10 @@ export class Sliders {
     };
     field.onchange = () => set((field.valueAsNumber - quantity.display.shift) / quantity.display.scale);
     bar.addEventListener("reread", reread);
+    const name = make("span", {}, ...breakable(title));
+    const label = make("label", { title: quantity.doc ?? "" }, name, bar, field, make("span", { className: "unit", textContent: unit }), fault);
     label.ondblclick = () => set(quantity.value);
     reread();
-    label.append(name, bar, field, unit, fault);
     return label;
   }
 }

@@ -1,5 +1,13 @@
 // The text of the model; what a shape comes from is marked in it.
+import { make } from "./dom.ts";
 import type { Head, Span } from "./head.ts";
+
+/** Pieces of one kind, with its letter as their class. */
+function painted(text: string, inks: string): (HTMLElement | string)[] {
+  if (text === "") return ["\u200b"];
+  return [...inks.slice(0, text.length).matchAll(/(.)\1*/gs)].map(({ index, 0: run, 1: ink }) =>
+    make("span", { className: `ink-${ink}`, textContent: text.slice(index, index + run.length) }));
+}
 
 /** `pointed` is told the line under the pointer, as a span, and `chosen` one that was clicked. */
 export class Source {
@@ -7,11 +15,10 @@ export class Source {
   private pinned: Span[] = [];
 
   constructor(head: Head, place: HTMLElement, pointed: (line: Span | null) => void, chosen: (line: Span) => void) {
+    let at = 0;
     this.lines = head.source.split("\n").map((text, i) => {
-      const line = document.createElement("div");
-      line.className = "line";
+      const line = make("div", { className: "line" }, ...painted(text, head.inks.slice(at, (at += text.length + 1))));
       line.dataset.number = `${i + 1}`;
-      line.textContent = text === "" ? "\u200b" : text;
       const span: Span = { first: [i + 1, 1], last: [i + 2, 1] };
       line.onpointerenter = () => pointed(span);
       line.onpointerleave = () => pointed(null);

@@ -15,27 +15,41 @@ import {
   PerspectiveCamera,
   Raycaster,
   Scene,
+  Sprite,
   Vector2,
   Vector3,
+  type Intersection,
   type Object3D,
+  Plane,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { gauge } from "./gauges.ts";
-import type { Head, Shape } from "./head.ts";
+import type { Head, Part, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above } from "./numbers.ts";
+import { placeIn, type Pull } from "./orders.ts";
 import { Overlay, sizeText, unitOf } from "./overlay.ts";
 import { drawing } from "./sketch.ts";
 import { Screen } from "./screen.ts";
-import { MAKERS, vector, type Drawn, type Sizes } from "./shapes.ts";
+import { drawn as made, vector, type Drawn, type Frame, type Sizes } from "./shapes.ts";
 
 const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
-const STILL = new Set(["trace", "ground", "frame", "slider", "dial", "text"]);
+const STILL = new Set(["trace", "ground", "rail", "track", "frame", "slider", "dial", "text"]);
 const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "body", "circle", "mesh"]);
+const LINKS = new Set(["rod", "spring", "damper", "rope"]);
+const LEAST_LETTERS = 19; // [pixels] with the room above and below
 const POSTURES = 13;
 const MARGIN = 0.05; // of the machine: so far a motion may leave the box
 const FARTHEST = 20;
+const AWAY = 4; // of its own size: a machine that goes so far drives away
+
+/** A place of a thing, as a sum of vectors of a row, and where it is now. */
+export interface Held {
+  shape: Shape;
+  parts: Pull["parts"];
+  point: Vector3;
+}
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -48,17 +62,23 @@ export class Stage {
   private readonly sizes: Sizes;
   private readonly grid: GridHelper;
   private readonly ghosts = new Group();
+  private readonly arrows = new Group();
   readonly shown = { forces: true, frames: false };
   readonly overlay: Overlay | null;
   private moved = false; // somebody chose a view
-  private posed = false; // there is something to draw
+  private now: { motion: Motion; numbers: Float64Array; t: number } | null = null; // that is drawn
+  private other: { motion: Motion; numbers: Float64Array; beside: boolean } | null = null; // to compare with
   private onlyGauges = false;
   private motion: Motion; // that the picture shows
+  private numbers: Float64Array = new Float64Array(0); // of the moment that it shows
+  private readonly places: readonly Placed[];
+  private followed: Vector3 | null = null; // middle of a machine that the view goes with
 
   constructor(
     private readonly head: Head,
     whole: Motion,
     meshes: readonly BufferGeometry[],
+    forms: ReadonlyMap<string, BufferGeometry>,
     private readonly place: HTMLElement,
   ) {
     this.motion = whole;
@@ -67,15 +87,20 @@ export class Stage {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
     place.append(this.canvas);
-    this.box = extent(head, whole);
-    const length = Math.max(this.box.getSize(new Vector3()).length() / Math.SQRT2, 1e-9);
-    this.sizes = { ...sizesOf(head, whole, length, this.box.getCenter(new Vector3())), meshes, detail: this.screen.detail(head.scene.shapes.length) };
+    this.places = placesOf(head, whole);
+    this.box = extent(this.places, whole);
+    const { length, scales, coil } = head.stage;
+    const center = new Vector3(...head.stage.center);
+    this.sizes = { length, scales, coil, center, planar: head.planar, first: head.scene.first, forms, meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
-    this.camera.up.set(...head.up);
+    this.camera.up.set(...head.stage.axes[1]);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableRotate = !head.planar;
     this.controls.addEventListener("change", () => this.render());
-    this.controls.addEventListener("start", () => (this.moved = true));
+    this.controls.addEventListener("start", () => {
+      this.moved = true;
+      this.followed = null;
+    });
     this.scene.add(new AmbientLight(0xffffff, 0.7), new HemisphereLight(0xffffff, 0x94a3b8, 1.2));
     const sun = new DirectionalLight(0xffffff, 2);
     sun.position.set(0.6, 1, 1.2);
@@ -85,7 +110,7 @@ export class Stage {
     this.surround();
     this.grid = this.ground(length);
     this.scene.add(this.grid);
-    const arrows = new Group();
+    const { arrows } = this;
     if (head.planar) arrows.position.z = 2 * length; // in front of everything, planes of contacts too
     this.scene.add(arrows);
     this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
@@ -102,8 +127,7 @@ export class Stage {
     for (const shape of this.head.scene.shapes) {
       const drawn = isGauge(shape)
         ? gauge(shape, this.sizes, machine, this.facing(), gauges.indexOf(shape), gauges.length)
-        : MAKERS[shape.kind]?.(shape, this.sizes);
-      if (drawn === undefined) continue;
+        : made(shape, this.sizes);
       drawn.object.traverse((object) => (object.userData.shape = shape));
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
@@ -131,9 +155,9 @@ export class Stage {
    * away stays as large as it is. The caller poses the machine anew. */
   follow(motion: Motion): void {
     this.motion = motion;
-    if (this.moved || this.onlyGauges) return;
+    if (this.moved || this.onlyGauges || this.followed !== null) return;
     const room = this.box.clone().expandByScalar(MARGIN * this.sizes.length);
-    const found = extent(this.head, motion);
+    const found = extent(this.places, motion);
     if (room.containsBox(found) || found.union(this.box).getSize(new Vector3()).length() > FARTHEST * this.sizes.length) return;
     this.box.union(found);
     this.enclose(motion);
@@ -142,18 +166,15 @@ export class Stage {
 
   /** The directions right, up and towards the viewer, as one first sees the machine. */
   private facing(): Matrix4 {
-    const up = new Vector3(...this.head.up);
-    if (this.head.planar) return new Matrix4();
-    const back = Math.abs(up.z) > 0.7 ? new Vector3(0.75, -1, 0) : new Vector3(0.6, 0, 1);
-    back.addScaledVector(up, -back.dot(up)).normalize();
-    return new Matrix4().makeBasis(new Vector3().crossVectors(up, back), up, back);
+    const [right, up, back] = this.head.stage.axes.map((axis) => new Vector3(...axis));
+    return new Matrix4().makeBasis(right, up, back);
   }
 
   /** Layers that one can switch. */
   show(): void {
     for (const { object, shape } of this.drawn) {
       if (shape.kind === "frame") object.visible = this.shown.frames;
-      if (shape.kind === "force" || shape.kind === "torque") object.userData.hidden = !this.shown.forces;
+      if (shape.kind === "force" || shape.kind === "torque") object.visible = this.shown.forces;
     }
   }
 
@@ -163,8 +184,8 @@ export class Stage {
     const grid = new GridHelper(count * step, count);
     const center = this.box.getCenter(new Vector3());
     if (this.head.planar) grid.rotation.x = Math.PI / 2;
-    else grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.head.up));
-    const up = new Vector3(...this.head.up);
+    else grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.head.stage.axes[1]));
+    const up = new Vector3(...this.head.stage.axes[1]);
     if (this.head.planar) grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
     else {
       const low = Math.min(up.dot(this.box.min), up.dot(this.box.max));
@@ -173,17 +194,42 @@ export class Stage {
     return grid;
   }
 
-  /** The whole machine along its motion, as one first sees it. The caller poses the machine anew. */
+  /** The whole machine along its motion, as one first sees it. The view goes with one that drives away; the next time it
+   * shows the whole way. The caller poses the machine anew. */
   lookAt(): void {
     this.moved = false;
-    this.surround();
+    const own = this.followed === null ? this.machineAt(this.numbers) : null;
+    this.followed = own !== null && this.drivesAway(own) ? own.getCenter(new Vector3()) : null;
+    if (own !== null && this.followed !== null) this.box.copy(own.expandByScalar(0.2 * own.getSize(new Vector3()).length()));
+    else this.surround();
     this.aim();
+  }
+
+  private machineAt(numbers: Float64Array): Box3 {
+    return grown(new Box3(), this.places, (column) => numbers[column]);
+  }
+
+  private drivesAway(own: Box3): boolean {
+    const size = own.getSize(new Vector3()).length();
+    return size > 0 && extent(this.places, this.motion).getSize(new Vector3()).length() > AWAY * size;
+  }
+
+  /** The view goes with the machine. */
+  private go(): void {
+    if (this.followed === null) return;
+    const center = this.machineAt(this.numbers).getCenter(new Vector3());
+    const step = center.clone().sub(this.followed);
+    this.followed = center;
+    this.box.translate(step);
+    this.camera.position.add(step);
+    this.controls.target.add(step);
+    this.controls.update();
   }
 
   private surround(): void {
     if (this.onlyGauges) this.box.makeEmpty();
     else {
-      this.box.copy(extent(this.head, this.motion));
+      this.box.copy(extent(this.places, this.motion));
       this.enclose(this.motion);
     }
     for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
@@ -232,10 +278,24 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (width === 0 || height === 0) return;
     this.screen.size(width, height);
-    this.fit(width / height);
+    this.fit((this.other?.beside ? 0.5 : 1) * (width / height));
     this.camera.updateProjectionMatrix();
     this.controls.update();
+    this.legible(height);
     this.render();
+  }
+
+  /** Names keep a least height on a small screen. */
+  private legible(height: number): void {
+    const { camera } = this;
+    const distance = camera.position.distanceTo(this.box.getCenter(new Vector3()));
+    const seen = camera instanceof OrthographicCamera ? camera.top - camera.bottom : 2 * distance * Math.tan((camera.fov * Math.PI) / 360);
+    const least = (LEAST_LETTERS * seen) / height;
+    this.scene.traverse((object) => {
+      if (!(object instanceof Sprite)) return;
+      const own = (object.userData.height ??= object.scale.y) as number;
+      object.scale.multiplyScalar(Math.max(own, least) / object.scale.y);
+    });
   }
 
   /** Colours of the page behind the machine. */
@@ -252,17 +312,28 @@ export class Stage {
   }
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
-    this.posed = true;
+    this.now = { motion, numbers, t };
+    this.numbers = numbers;
+    this.go();
+    this.overlay?.pose(t);
+    this.set(motion, numbers, t);
+    this.render();
+  }
+
+  private set(motion: Motion, numbers: Float64Array, t: number): void {
     const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
       drawn.follow?.(motion, row);
       drawn.update(frame);
-      if (drawn.object.userData.hidden) drawn.object.visible = false;
       drawn.object.updateMatrixWorld(true);
     }
-    this.overlay?.pose(t);
-    this.render();
+  }
+
+  /** Another motion, left of the present one or pale behind it; null takes it away. */
+  compare(motion: Motion | null, beside: boolean): void {
+    this.other = motion === null ? null : { motion, numbers: new Float64Array(motion.width), beside };
+    this.resize();
   }
 
   /** Pale postures at several times; none takes them away. The caller poses the machine anew. */
@@ -274,7 +345,7 @@ export class Stage {
       for (const drawn of this.drawn) {
         if (STILL.has(drawn.shape.kind)) continue;
         drawn.update({ numbers, first: this.head.scene.first });
-        if (!drawn.object.visible || drawn.object.userData.hidden) continue;
+        if (!drawn.object.visible) continue;
         const ghost = drawn.object.clone();
         ghost.traverse((object) => {
           if (!(object instanceof Mesh)) return;
@@ -295,25 +366,81 @@ export class Stage {
   }
 
   render(): void {
-    if (this.posed) this.screen.draw(this.scene, this.camera);
+    const { now, other } = this;
+    if (now === null) return;
+    if (other === null) {
+      this.screen.draw(this.scene, this.camera);
+      return;
+    }
+    const alone = (first: boolean): void => void (this.arrows.visible = this.ghosts.visible = !first);
+    const until = Math.min(now.t, other.motion.last);
+    this.screen.pair(this.scene, this.camera, other.beside, [
+      () => {
+        alone(true);
+        this.set(other.motion, other.motion.state(until, other.numbers), until);
+      },
+      () => {
+        alone(false);
+        this.set(now.motion, now.numbers, now.t);
+      },
+    ]);
+  }
+
+  filming(on: boolean): void {
+    this.screen.filming(on);
+  }
+
+  /** The ray through a place of the window. */
+  private ray(x: number, y: number): Raycaster {
+    const bounds = this.canvas.getBoundingClientRect();
+    const across = (x - bounds.left) / bounds.width;
+    const at = new Vector2((this.other?.beside ? (2 * across) % 1 : across) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
+    const caster = new Raycaster();
+    caster.setFromCamera(at, this.camera);
+    return caster;
+  }
+
+  /** What somebody may take hold of, and the place of it that was taken: as a sum of vectors of a row, and where it is. */
+  held(x: number, y: number): Held | null {
+    const hit = this.hitAt(x, y);
+    const shape = hit?.object.userData.shape as Shape | undefined;
+    if (hit === undefined || shape === undefined || this.now === null) return null;
+    if (shape.kind === "dial") return { shape, parts: [], point: this.drawn.find((drawn) => drawn.shape === shape)?.object.position ?? hit.point };
+    const part = hit.object.userData.part as Part | undefined;
+    if (part === undefined || part.still || !("at" in part.numbers) || !(SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
+    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
+    const parts = within(part.numbers, hit.point, frame);
+    return { shape, parts, point: new Vector3(...placeIn(frame.numbers, parts)) };
+  }
+
+  /** The place under the pointer in the plane through a point that faces the viewer, and the directions right and up in it. */
+  facingPlace(x: number, y: number, point: Vector3): { place: Vector3; across: Vector3[] } {
+    const [right, up, back] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(this.camera.matrixWorld, k));
+    const plane = new Plane().setFromNormalAndCoplanarPoint(back, point);
+    return { place: this.ray(x, y).ray.intersectPlane(plane, new Vector3()) ?? point, across: [right, up] };
+  }
+
+  /** Of the machine [m]. */
+  get length(): number {
+    return this.sizes.length;
+  }
+
+  private hitAt(x: number, y: number): Intersection | undefined {
+    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
+    const objects = [...this.drawn.filter(({ object }) => object.visible), ...arrows].map((drawn) => drawn.object);
+    return this.ray(x, y).intersectObjects(objects).find((hit) => hit.object.visible);
   }
 
   /** The shape under a pointer. */
   shapeAt(x: number, y: number): Shape | null {
-    const bounds = this.canvas.getBoundingClientRect();
-    const at = new Vector2(((x - bounds.left) / bounds.width) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
-    const caster = new Raycaster();
-    caster.setFromCamera(at, this.camera);
-    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
-    const hits = caster.intersectObjects([...this.drawn, ...arrows].map((drawn) => drawn.object));
-    return (hits.find((hit) => hit.object.visible)?.object.userData.shape as Shape | undefined) ?? null;
+    return (this.hitAt(x, y)?.object.userData.shape as Shape | undefined) ?? null;
   }
 
   /** The value behind an arrow, as it is now. */
   value(shape: Shape, numbers: Float64Array): string {
     if (this.overlay?.drawn.some((drawn) => drawn.shape === shape)) return this.overlay.value(shape);
     if (shape.kind !== "force" && shape.kind !== "torque") return "";
-    const length = vector(shape, "vector", { numbers, first: this.head.scene.first }).length();
+    const length = vector(shape.numbers, "vector", { numbers, first: this.head.scene.first }).length();
     return `${sizeText(length)} ${unitOf(shape)}`;
   }
 
@@ -329,6 +456,24 @@ export class Stage {
   }
 }
 
+/** A place of a part, at the distance that it has now along the way of the part or along its axes. */
+function within(numbers: Record<string, number>, point: Vector3, frame: Frame): Pull["parts"] {
+  const column = (role: string): number => frame.first + numbers[role];
+  const at = vector(numbers, "at", frame);
+  const off = point.clone().sub(at);
+  const share = (axis: Vector3): number => off.dot(axis) / Math.max(axis.lengthSq(), 1e-300);
+  if ("to" in numbers) {
+    const part = share(vector(numbers, "to", frame).sub(at));
+    return [[column("at"), 1 - part], [column("to"), part]];
+  }
+  const parts: Pull["parts"] = [[column("at"), 1]];
+  for (const axis of ["x", "z"]) if (axis in numbers) parts.push([column(axis), share(vector(numbers, axis, frame))]);
+  if ("x" in numbers && "z" in numbers) {
+    parts.push([column("z"), share(vector(numbers, "z", frame).cross(vector(numbers, "x", frame))), column("x")]);
+  }
+  return parts;
+}
+
 function isGauge(shape: Shape): boolean {
   return shape.kind === "slider" || shape.kind === "dial";
 }
@@ -337,62 +482,46 @@ function round(value: number, step: number): number {
   return Math.round(value / step) * step;
 }
 
-/** How far a thing of a size of its own reaches from its place, where the motion begins. */
+/** Room that a shape with sizes of its own takes around its places, where the motion begins. */
 function reach(head: Head, shape: Shape, motion: Motion): number {
-  const number = (role: string, k = 0): number => (role in shape.numbers ? motion.at(0, head.scene.first + shape.numbers[role] + k) : 0);
   if (motion.count === 0) return 0;
-  if (shape.kind !== "body") return Math.max(number("radius"), 0.5 * number("length"), 0.5 * number("height"));
-  // Of an ellipsoid a² + b² + c² = 5 (I_xx + I_yy + I_zz)/(2 m).
-  const square = (2.5 * (number("inertia") + number("inertia", 1) + number("inertia", 2))) / number("mass");
-  return square > 0 && Number.isFinite(square) ? 0.6 * Math.sqrt(square) : 0;
+  const own = shape.parts.flatMap(({ sizes }) => sizes ?? []).filter(([, column, relative]) => column >= 0 && !relative);
+  const found = own.map(([factor, column]) => Math.abs(factor * motion.at(0, head.scene.first + column)));
+  return Math.max(0, ...found.filter(Number.isFinite));
 }
 
-/** All places of the scene along the motion. */
-function extent(head: Head, motion: Motion): Box3 {
-  const box = new Box3();
+interface Placed {
+  column: number; // at which a place begins in a row
+  radius: number; // of the room around it
+}
+
+function placesOf(head: Head, motion: Motion): Placed[] {
+  return head.scene.shapes.filter(({ kind }) => kind !== "frame").flatMap((shape) => {
+    const radius = reach(head, shape, motion);
+    const moving = shape.parts.filter(({ still }) => !still);
+    const columns = moving.flatMap(({ numbers }) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
+    return [...new Set(columns)].map((column) => ({ column: head.scene.first + column, radius }));
+  });
+}
+
+/** The box with all places in it, of one row. */
+function grown(box: Box3, places: readonly Placed[], at: (column: number) => number): Box3 {
   const point = new Vector3();
-  const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
-  for (const shape of head.scene.shapes) {
-    if (shape.kind === "frame") continue;
-    for (const role of ["at", "to"]) {
-      if (!(role in shape.numbers)) continue;
-      const first = head.scene.first + shape.numbers[role];
-      const radius = reach(head, shape, motion);
-      for (let row = 0; row < motion.count; row += stride) {
-        point.set(motion.at(row, first), motion.at(row, first + 1), motion.at(row, first + 2));
-        if (!Number.isFinite(point.x + point.y + point.z)) continue;
-        box.expandByPoint(point.clone().addScalar(radius)).expandByPoint(point.clone().addScalar(-radius));
-      }
-    }
+  for (const { column, radius } of places) {
+    point.set(at(column), at(column + 1), at(column + 2));
+    if (!Number.isFinite(point.x + point.y + point.z)) continue;
+    box.expandByPoint(point.clone().addScalar(radius)).expandByPoint(point.clone().addScalar(-radius));
   }
-  if (box.isEmpty()) box.set(new Vector3(0, 0, 0), new Vector3(0, 0, 0));
-  const size = box.getSize(point).length();
-  if (size === 0) box.expandByScalar(0.5);
   return box;
 }
 
-function sizesOf(head: Head, motion: Motion, length: number, center: Vector3): Omit<Sizes, "meshes" | "detail"> {
-  const largest = (kind: string, role: string, width: number): number => {
-    let most = 0;
-    for (const shape of head.scene.shapes) {
-      if (shape.kind !== kind || !(role in shape.numbers)) continue;
-      const first = head.scene.first + shape.numbers[role];
-      for (let row = 0; row < motion.count; ++row) {
-        let square = 0;
-        for (let k = 0; k < width; ++k) square += motion.at(row, first + k) ** 2;
-        if (Number.isFinite(square)) most = Math.max(most, Math.sqrt(square));
-      }
-    }
-    return most;
-  };
-  const scaled = (most: number): number => (most > 0 ? (0.3 * length) / most : 0);
-  return {
-    length,
-    mass: largest("mass", "mass", 1),
-    force: scaled(largest("force", "vector", 3)),
-    torque: scaled(largest("torque", "vector", 3)),
-    planar: head.planar,
-    first: head.scene.first,
-    center,
-  };
+/** All places of the scene along the motion. */
+function extent(places: readonly Placed[], motion: Motion): Box3 {
+  const box = new Box3();
+  const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
+  for (let row = 0; row < motion.count; row += stride) grown(box, places, (column) => motion.at(row, column));
+  if (box.isEmpty()) box.set(new Vector3(0, 0, 0), new Vector3(0, 0, 0));
+  const size = box.getSize(new Vector3()).length();
+  if (size === 0) box.expandByScalar(0.5);
+  return box;
 }

@@ -1,14 +1,12 @@
 // Buttons of the picture, and a menu of them.
+import { make } from "./dom.ts";
 
 /** Adds a button with its words, what it does in words, and what it does. */
 export type Buttons = (words: string, title: string, act: () => void) => HTMLButtonElement;
 
 export function buttons(bar: HTMLElement): Buttons {
   return (words, title, act) => {
-    const made = document.createElement("button");
-    made.textContent = words;
-    made.title = title;
-    made.onclick = act;
+    const made = make("button", { textContent: words, title, onclick: act });
     bar.append(made);
     return made;
   };
@@ -16,13 +14,8 @@ export function buttons(bar: HTMLElement): Buttons {
 
 /** The place for the buttons of a menu, which closes after a choice and when somebody points elsewhere. */
 export function menu(bar: HTMLElement, words: string): HTMLElement {
-  const made = document.createElement("details");
-  made.className = "menu";
-  const title = document.createElement("summary");
-  title.textContent = words;
-  const list = document.createElement("div");
-  list.onclick = () => (made.open = false);
-  made.append(title, list);
+  const list = make("div", { onclick: () => (made.open = false) });
+  const made = make("details", { className: "menu" }, make("summary", { textContent: words }), list);
   bar.append(made);
   document.addEventListener("pointerdown", (event) => {
     if (!(event.target instanceof Node && made.contains(event.target))) made.open = false;

@@ -1,5 +1,5 @@
 // Integrates motions with the runtime of lagdsl as WebAssembly. One motion a message; the newest message counts.
-import { INTERRUPTED, STOPPED, type Answer, type Order, type Setup } from "./orders.ts";
+import { INTERRUPTED, placeIn, STOPPED, type Answer, type Order, type Pull, type Setup } from "./orders.ts";
 
 interface Lag {
   memory: WebAssembly.Memory;
@@ -20,11 +20,19 @@ interface Lag {
   lag_session_sensitivities_size(model: number, count: number): number;
   lag_session_differentiate(session: number, block: number, count: number, which: number): void;
   lag_session_derivatives(session: number): number;
+  lag_session_events(session: number): number;
+  lag_session_fault(session: number, status: number): number;
+  lag_session_guilty(session: number): number;
 }
 
 const LOOKED = 5;
 const LONGEST = 3000; // [ms] of integration; motions beyond that end early, which the page tells
 const STEPS = 2000; // between looks at the clock, fewer where each of them has derivatives
+const KEPT = 64; // LAG_SESSION_EVENTS
+const MOST_EVENTS = 20000;
+const PULLS = 4; // steps of Gauss and Newton towards the pointer
+const LEAST_CHANGE = 1e-6;
+const LARGEST_CHANGE = 0.5; // of a start in one step
 
 class Session {
   private readonly lag: Lag;
@@ -86,14 +94,19 @@ class Session {
     const { start, stop, rows, by } = this.setup;
     const steps = Math.ceil(STEPS / (1 + by.length));
     const values = new Float64Array(rows * this.width);
-    this.write(this.lag.lag_session_parameters(this.session), order.parameters);
     this.write(this.lag.lag_session_inputs(this.session), order.inputs);
-    let status = this.lag.lag_session_begin(this.session, start);
+    if (order.pull !== null) this.pulled(order.pull, order.parameters);
+    let status = this.begin(order.parameters);
+    const events: Answer["events"] = [];
+    this.note(events);
     let count = 0;
     let time = start;
     while (status === 0 && count < rows) {
       const goal = count + 1 === rows ? stop : start + ((stop - start) * count) / (rows - 1);
-      if (count > 0) status = this.lag.lag_session_to(this.session, goal, steps);
+      if (count > 0) {
+        status = this.lag.lag_session_to(this.session, goal, steps);
+        this.note(events);
+      }
       if (status === LOOKED) { // more steps than a look allows
         status = performance.now() - began < LONGEST ? 0 : INTERRUPTED;
         if (status === 0) continue;
@@ -109,7 +122,76 @@ class Session {
     }
     const derivatives = status === 0 ? this.derivatives() : new Float64Array(0);
     const took = performance.now() - began;
-    return { number: order.number, rows: values.slice(0, count * this.width), status, time, took, derivatives };
+    const blamed = status > 0 ? this.blamed(status) : [];
+    const found = values.slice(0, count * this.width);
+    return { number: order.number, rows: found, parameters: order.parameters, events, blamed, status, time, took, derivatives };
+  }
+
+  private begin(parameters: Float64Array): number {
+    this.write(this.lag.lag_session_parameters(this.session), parameters);
+    return this.lag.lag_session_begin(this.session, this.setup.start);
+  }
+
+  private note(events: Answer["events"]): void {
+    const at = this.lag.lag_session_events(this.session);
+    const [count] = new Float64Array(this.lag.memory.buffer, at, 1);
+    const found = new Float64Array(this.lag.memory.buffer, at + 8, 3 * Math.min(count, KEPT));
+    for (let k = 0; k < found.length && events.length < MOST_EVENTS; k += 3) events.push([found[k], found[k + 1], found[k + 2]]);
+  }
+
+  /** Numbers of what is to blame for a status. */
+  private blamed(status: number): number[] {
+    const which = this.lag.lag_session_fault(this.session, status);
+    if (which >= 0) return [which];
+    const guilty = new Float64Array(this.lag.memory.buffer, this.lag.lag_session_guilty(this.session), this.setup.entries);
+    return [...guilty.keys()].filter((k) => guilty[k] !== 0);
+  }
+
+  /** Starts with which a place is nearest to where it is pulled, by the least change of them: Gauss and Newton, with halved steps. */
+  private pulled({ parts, goal, across, starts }: Pull, parameters: Float64Array): void {
+    const off = (): [number, number] | null => {
+      if (this.begin(parameters) !== 0) return null;
+      const row = new Float64Array(this.lag.memory.buffer, this.lag.lag_session_row(this.session), this.width);
+      const place = placeIn(row, parts);
+      const away = [0, 1, 2].map((k) => goal[k] - place[k]);
+      return [0, 1].map((i) => across[i].reduce((sum, part, k) => sum + part * away[k], 0)) as [number, number];
+    };
+    const changed = (changes: number[], part: number, from: number[]): void =>
+      starts.forEach(({ parameter }, i) => (parameters[parameter] = from[i] + part * changes[i]));
+    for (let k = 0; k < PULLS; ++k) {
+      const from = starts.map(({ parameter }) => parameters[parameter]);
+      const now = off();
+      if (now === null) return;
+      const slopes = starts.map(({ parameter, size }, i) => {
+        parameters[parameter] = from[i] + LEAST_CHANGE * size;
+        const next = off() ?? now;
+        parameters[parameter] = from[i];
+        return [(now[0] - next[0]) / LEAST_CHANGE, (now[1] - next[1]) / LEAST_CHANGE]; // by size
+      });
+      const sum = (i: number, j: number): number => slopes.reduce((whole, slope) => whole + slope[i] * slope[j], 0);
+      const small = 1e-9 * (sum(0, 0) + sum(1, 1));
+      const [a, b, d] = [sum(0, 0) + small, sum(0, 1), sum(1, 1) + small];
+      const det = a * d - b * b;
+      if (!(det > 0)) return;
+      const [u, v] = [(d * now[0] - b * now[1]) / det, (a * now[1] - b * now[0]) / det];
+      const changes = slopes.map((slope, i) => {
+        const change = slope[0] * u + slope[1] * v;
+        return starts[i].size * Math.min(Math.max(change, -LARGEST_CHANGE), LARGEST_CHANGE);
+      });
+      let part = 1;
+      for (; part > 0.05; part /= 2) {
+        changed(changes, part, from);
+        const then = off();
+        if (then !== null && Math.hypot(...then) < Math.hypot(...now)) break;
+      }
+      if (part <= 0.05) {
+        changed(changes, 0, from);
+        return;
+      }
+    }
+    if (this.begin(parameters) !== 0) return;
+    const row = new Float64Array(this.lag.memory.buffer, this.lag.lag_session_row(this.session), this.width);
+    for (const { parameter, column } of starts) parameters[parameter] = row[column]; // as constraints moved them
   }
 }
 

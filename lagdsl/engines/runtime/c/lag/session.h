@@ -45,6 +45,20 @@ lag_status lag_session_jump(lag_session *session);
 /* The present state as a row of lag/run/results.h: time, coordinates, rates, states, discrete variables, outputs, energy, residuals. */
 const double *lag_session_row(lag_session *session);
 
+/*
+ * Things that happened during the last lag_session_begin(), _to() or _jump(): their number, then t, lag_event_kind and `which` of the first
+ * LAG_SESSION_EVENTS of them, as in lag/event_notice.h.
+ */
+#define LAG_SESSION_EVENTS 64
+const double *lag_session_events(const lag_session *session);
+
+/*
+ * Why a call ended with `status`: `which` of lag_fault. Where events are to blame, -1, and lag_session_guilty() flags the discrete
+ * variables (nw) whose changes led there.
+ */
+int lag_session_fault(lag_session *session, lag_status status);
+const double *lag_session_guilty(const lag_session *session);
+
 /* Numbers of a row. */
 size_t lag_session_width(const lag_session *session);
 

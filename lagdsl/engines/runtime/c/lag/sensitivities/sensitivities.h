@@ -95,7 +95,7 @@ typedef struct lag_collocation_system {
     double *matrix, *pivots; /* (stages n, stages n) (stages n) decomposed; null: the equations are too many */
 } lag_collocation_system;
 
-/* Those of ROS2. */
+/* Arrays of ROS2. */
 typedef struct lag_rosenbrock_system {
     double *matrix, *pivots; /* (n, n) (n) decomposed */
     double *right, *k[2];    /* (n) each: of a column; stages of the state */

@@ -27,7 +27,26 @@ struct lag_session {
     double *p;
     double *lasting; /* (nc) */
     derivatives derivatives;
+    double events[1 + 3 * LAG_SESSION_EVENTS];
 };
+
+/* Notes what happens; its context is the hold of a session. */
+static lag_status keep_event(void *context, lag_run *run, const lag_event_notice *notice)
+{
+    lag_session *session = ((lag_hold *)context)->context;
+    (void)run;
+    if (notice->what == LAG_BEFORE || notice->what == LAG_AFTER) {
+        return LAG_OK;
+    }
+    if (session->events[0] < LAG_SESSION_EVENTS) {
+        double *event = session->events + 1 + 3 * (size_t)session->events[0];
+        event[0] = notice->t;
+        event[1] = (double)notice->what;
+        event[2] = (double)notice->which;
+        session->events[0] += 1.0;
+    }
+    return LAG_OK;
+}
 
 /* Number of lasting rows that are independent in general. */
 static size_t independent(const lag_session *session)
@@ -47,7 +66,7 @@ static lag_run_options plan(lag_session *session)
         .length = session->length,
         .start = session->start,
         .careful = 2,
-        .callbacks = {.context = &session->hold, .inputs = session->model->nu > 0 ? lag_hold_tell : NULL},
+        .callbacks = {.context = &session->hold, .inputs = session->model->nu > 0 ? lag_hold_tell : NULL, .tell = keep_event},
         .p = session->p,
         .lasting = {session->lasting, session->lasting != NULL ? independent(session) : 0}
     };
@@ -109,6 +128,7 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
     session->results.rows = lag_take(&memory, lag_results_width(model));
     session->p = lag_take(&memory, model->np + 1);
     session->hold.count = model->nu;
+    session->hold.context = session;
     session->hold.u = lag_take(&memory, model->nu + 1);
     session->hold.before = lag_take(&memory, model->nu + 1);
     session->lasting = lag_take(&memory, model->nc + 1);
@@ -190,6 +210,7 @@ const double *lag_session_derivatives(lag_session *session)
 lag_status lag_session_begin(lag_session *session, double t)
 {
     renew(session);
+    session->events[0] = 0.0;
     memcpy(session->hold.before, session->hold.u, session->hold.count * sizeof(double));
     if (session->derivatives.block == NULL) {
         return lag_run_begin(session->run, t, NULL);
@@ -200,12 +221,36 @@ lag_status lag_session_begin(lag_session *session, double t)
 
 lag_status lag_session_to(lag_session *session, double t, size_t most_steps)
 {
+    session->events[0] = 0.0;
     return lag_run_to(session->run, t, most_steps);
 }
 
 lag_status lag_session_jump(lag_session *session)
 {
+    session->events[0] = 0.0;
     return lag_hold_jump(&session->hold);
+}
+
+const double *lag_session_events(const lag_session *session)
+{
+    return session->events;
+}
+
+int lag_session_fault(lag_session *session, lag_status status)
+{
+    lag_fault fault;
+    if (status == LAG_EVENT_ITERATION_FAILED || status == LAG_CHATTER || status == LAG_PENETRATION || status == LAG_WAY_JUMP) {
+        return -1;
+    }
+    lag_run_explain(session->run, status, &fault);
+    return (int)fault.which;
+}
+
+const double *lag_session_guilty(const lag_session *session)
+{
+    lag_run_report report;
+    lag_run_tell(session->run, &report);
+    return report.guilty;
 }
 
 const double *lag_session_row(lag_session *session)

@@ -1,0 +1,331 @@
+"""Massless links between points: springs and dampers behind energies, ropes behind constraints, rods and arms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+
+from lagdsl.derivation.scene.looks import COLORS, parts_of
+from lagdsl.derivation.scene.machine import (
+    HELD,
+    WORLD,
+    Machine,
+    constant,
+    evaluator_at,
+    movers_of,
+    number,
+    places,
+    points_of,
+    straight,
+    vector_or_none,
+)
+from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.quantity import Spans
+from lagdsl.language.flat.traversal import postorder, substituted
+
+_STEP = 1e-3
+_PARALLEL = 1e-6  # of gradients, one of which comes from differences
+_MOST_POINTS = 40
+_ROOM = 3.0  # of its start value: so far a spring without a natural length is from its wall
+_WALL = 0.5  # [m], of one that starts at zero
+
+Ends = tuple[fx.FlatExpression, fx.FlatExpression]
+
+
+def springs(machine: Machine) -> Iterator[Shape]:
+    """A spring between two points on whose distance alone a part of a potential depends, with a stiffness above zero;
+    from a wall to a mass that slides with the only coordinate of one. Dampers likewise, by dissipations."""
+    seen: set[tuple[str, Ends]] = set()
+    for term in machine.flat.energies:
+        if term.kind not in {"potential", "dissipation"} or machine.is_drawn(term.spans):
+            continue
+        kind: ShapeKind = "spring" if term.kind == "potential" else "damper"
+        if any(each.shape == kind and each.spans[1:] == term.spans[1:] for each in machine.flat.drawings):
+            continue  # somebody draws those of this class by hand
+        for part in _summands(machine, term.value):
+            pairs = [
+                ends for ends in _distances(part, machine.named) if kind == "damper" or _stiff(machine, part, ends)
+            ]
+            if not pairs and (ends := _ends_by_numbers(machine, part, kind)) is not None:
+                pairs = [ends]
+            for ends in pairs:
+                if (kind, ends) not in seen:
+                    seen.add((kind, ends))
+                    link = between(kind, term.label or kind, *ends, term.spans, machine.columns)
+                    parts = _with_wall(machine, link, ends)
+                    yield replace(link, parts=parts)
+
+
+def _with_wall(machine: Machine, link: Shape, ends: Ends) -> tuple[Part, ...]:
+    """A link with a hatched wall across it, at an end that stands still while the other one slides on a line."""
+    parts = parts_of(link.kind, dict(link.numbers), planar=False)
+    for still, other, role in ((*ends, "at"), (*ends[::-1], "to")):
+        if constant(places(machine, still)) and straight(machine, other) is not None:
+            way = machine.columns.vector(fx.Binary("-", other, still))
+            numbers = (("at", dict(link.numbers)[role]), ("z", way))
+            return (*parts, Part(form="wall", numbers=numbers, color=COLORS["ground"]))
+    return parts
+
+
+def _summands(machine: Machine, value: fx.FlatExpression) -> Iterator[fx.FlatExpression]:
+    """The terms of a sum, also in brackets behind constant factors; a name is what it stands for."""
+    if isinstance(value, fx.Variable) and isinstance(item := machine.named.get(value.name), fm.Definition):
+        yield from _summands(machine, item.value)
+    elif isinstance(value, fx.Binary) and value.operator in {"+", "-"}:
+        yield from _summands(machine, value.left)
+        yield from _summands(machine, value.right)
+    elif isinstance(value, fx.Binary) and value.operator == "*" and not movers_of(machine, value.left):
+        yield from _summands(machine, value.right)
+    else:
+        yield value
+
+
+def _gradient(
+    machine: Machine, value: fx.FlatExpression, kind: ShapeKind, seed: int, moved: Mapping[str, float]
+) -> dict[str, float]:
+    """dV/dq at a position; of a dissipation c s^2/2 in the rates the direction in which the slip s grows."""
+    names = sorted(movers_of(machine, value))
+    if kind == "spring":
+        return {n: number(evaluator_at(machine.flat, seed, {n: 1.0}, moved), fx.Derivative(value)) for n in names}
+
+    def power(rates: Mapping[str, float]) -> float:
+        return number(evaluator_at(machine.flat, seed, rates, moved), value)
+
+    own = {n: power({n: 1.0}) for n in names}
+    first = max(names, key=lambda n: own[n])
+    mixed = {n: 0.5 * (power({first: 1.0, n: 1.0}) - own[first] - own[n]) for n in names if n != first}
+    return {first: own[first], **mixed}
+
+
+def _ends_by_numbers(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> Ends | None:
+    names = sorted(movers_of(machine, value))
+    if len(names) == 1:
+        return _from_wall(machine, value, kind, names[0])
+    ends = _by_distance(machine, value, kind) if names else None
+    return ends if ends is None or kind == "damper" or _stiff(machine, value, ends, linear=True) else None
+
+
+def _by_distance(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> Ends | None:
+    """Two points on whose distance alone a value depends."""
+    names = movers_of(machine, value)
+    gradients = [_gradient(machine, value, kind, seed, {}) for seed in (0, 1)]
+    if not all(np.isfinite(row).all() and np.any(row) for each in gradients for row in [np.array([*each.values()])]):
+        return None
+    moving = [each for each in points_of(machine)[:_MOST_POINTS] if movers_of(machine, each)]
+    for a, b in combinations([WORLD, *moving], 2):
+        if movers_of(machine, a) | movers_of(machine, b) == names and _is_distance(machine, (a, b), gradients):
+            return a, b
+    return None
+
+
+def _is_distance(machine: Machine, ends: Ends, gradients: list[dict[str, float]]) -> bool:
+    """Do the gradients lie along those of the distance?"""
+    way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
+    for seed, gradient in enumerate(gradients):
+        own = np.array([number(evaluator_at(machine.flat, seed, {n: 1.0}), fx.Derivative(way)) for n in gradient])
+        told = np.array([*gradient.values()])
+        sizes = float(np.linalg.norm(own) * np.linalg.norm(told))
+        if not (np.isfinite(own).all() and sizes > 0.0) or abs(abs(own @ told) - sizes) > _PARALLEL * sizes:
+            return False
+    return True
+
+
+def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends, *, linear: bool = False) -> bool:
+    """Does dV/ds grow with the distance s of the ends? With `linear` in proportion: angles have no such springs."""
+    way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
+    names = sorted(movers_of(machine, way))
+    along = np.array([number(evaluator_at(machine.flat, 0, {n: 1.0}), fx.Derivative(way)) for n in names])
+    if not (np.isfinite(along).all() and np.any(along)):
+        return False
+    lengths, forces = [], []
+    for step in (0.0, _STEP, 2.0 * _STEP):
+        shift = dict(zip(names, (step * along).tolist(), strict=True))
+        at = [evaluator_at(machine.flat, 0, {n: 1.0}, shift) for n in names]
+        own = np.array([number(each, fx.Derivative(way)) for each in at])
+        slopes = np.array([number(each, fx.Derivative(value)) for each in at])
+        lengths.append(number(at[0], way))
+        forces.append(float(own @ slopes) / float(own @ own))
+    stiffness = np.diff(forces) / np.diff(lengths)
+    rounding = HELD * abs(forces[0]) / (lengths[1] - lengths[0])
+    return bool(stiffness[0] > rounding) and not (linear and abs(np.ptp(stiffness)) > _PARALLEL * stiffness[0])
+
+
+def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name: str) -> Ends | None:
+    """From the place where the spring has no length, or from a wall on the side where nothing else is."""
+    point = next(
+        (p for p in points_of(machine) if (found := straight(machine, p)) is not None and found[0] == name), None
+    )
+    if point is None:
+        return None
+    [item] = [each for each in machine.flat.coordinates if each.name == name]
+    start = number(machine.positions[0], item.start)
+    origin = substituted(machine_position(machine, point), {name: fx.ZERO})
+    natural = 0.0
+    if kind == "spring":
+        slopes = [_gradient(machine, value, kind, 0, {name: step})[name] for step in (0.0, 1.0)]
+        if not slopes[1] > slopes[0]:
+            return None
+        here = number(machine.positions[0], fx.Variable(name))
+        natural = here - slopes[0] / (slopes[1] - slopes[0])
+    if abs(natural) > HELD * max(abs(start), 1.0):
+        return origin, point
+    at = machine.positions[0]
+    move = found[1] if (found := straight(machine, point)) is not None else np.zeros(3)
+    move = move / np.linalg.norm(move)
+    zero = vector_or_none(at, origin)
+    if zero is None:
+        return None
+    sides = [(place - zero) @ move for each in points_of(machine) if (place := _rest(machine, each)) is not None]
+    others = [float(side) for side in sides if abs(side) > HELD]
+    toward = 1.0 if any(side < 0.0 for side in others) and not any(side > 0.0 for side in others) else -1.0
+    room = min((abs(side) for side in others), default=max(_ROOM * abs(start), _WALL if start == 0.0 else 0.0))
+    wall = fx.Vector(*(fx.Number(round(float(part), 9) + 0.0) for part in zero + toward * room * move))
+    return wall, point
+
+
+def _rest(machine: Machine, point: fx.FlatExpression) -> Floats | None:
+    """The place of a point that slides, while its coordinate is zero."""
+    found = straight(machine, point)
+    if found is None:
+        return None
+    return vector_or_none(machine.positions[0], substituted(machine_position(machine, point), {found[0]: fx.ZERO}))
+
+
+def machine_position(machine: Machine, point: fx.FlatExpression) -> fx.FlatExpression:
+    """A point by coordinates and parameters, as far as it has a name."""
+    if isinstance(point, fx.PointReference) and isinstance(item := machine.named[point.name], fm.Point):
+        return item.position
+    return point
+
+
+def ropes(machine: Machine) -> Iterator[Shape]:
+    """A massless rod or rope between two points whose distance a constraint holds."""
+    for constraint in machine.flat.constraints:
+        if constraint.level != "position" or constraint.closure is not None or machine.is_drawn(constraint.spans):
+            continue
+        for residual in constraint.residuals:
+            pairs = list(_distances(residual, machine.named))
+            if not pairs and len(movers_of(machine, residual)) > 1:
+                ends = _by_distance(machine, residual, "spring")
+                pairs = [] if ends is None else [ends]
+            for a, b in pairs:
+                yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
+            for a, b in _hanging(machine, residual):
+                yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
+
+
+def _hanging(machine: Machine, residual: fx.FlatExpression) -> list[Ends]:
+    """Ropes of masses that slide along gravity and are tied to each other: each from where its coordinate is zero."""
+    names = movers_of(machine, residual)
+    slides = [(point, found) for point in points_of(machine) if (found := straight(machine, point)) is not None]
+    tied = [(point, move) for point, (name, move) in slides if name in names]
+    if machine.down is None or len(names) < 2 or len(tied) < len(names):
+        return []
+    if any(np.linalg.norm(np.cross(move, machine.down)) > HELD for _, move in tied):
+        return []
+    zeros = dict.fromkeys(names, fx.ZERO)
+    return [(substituted(machine_position(machine, point), zeros), point) for point, _ in tied]
+
+
+def rods(machine: Machine) -> Iterator[Shape]:
+    """A massless rod to each point mass that keeps its distance from the point it is built on, down to the world."""
+    done: set[fx.FlatExpression] = set()
+    for item in machine.flat.masses:
+        point = item.position
+        while point not in done and point not in machine.reached and not machine.is_drawn(item.spans):
+            done.add(point)
+            base = _base(point, machine.named)
+            if base is None or not _is_held(machine, point, base):
+                break
+            yield between("rod", "massless rod", base, point, item.spans, machine.columns)
+            point = base
+
+
+def arms(machine: Machine) -> Iterator[Shape]:
+    """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world, and to a
+    frame with a position of its own, only where the distance is held."""
+    at = machine.positions
+    known = {
+        _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
+        for drawing in machine.flat.drawings
+        if drawing.place == "between"
+    }
+    for item in machine.flat.named:
+        if not isinstance(item, fm.Frame) or item.image is not None:
+            continue
+        parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
+        ends = [each.vector(end) for each in at for end in (parent, own)]
+        lengths = np.linalg.norm(np.array(ends[1::2]) - np.array(ends[::2]), axis=1)
+        held = np.ptp(lengths) <= HELD * lengths.max()
+        builds = item.parent != "world" and not _is_placed(item)
+        if lengths.min() > HELD and (held or builds) and _ends(ends) not in known:
+            known.add(_ends(ends))
+            yield between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
+
+
+def _is_placed(frame: fm.Frame) -> bool:
+    """Does its origin stand at a position of its own, whatever frame its axes are built on?"""
+    return any(isinstance(step, fm.Place) for step in frame.steps)
+
+
+def _ends(places: list[Floats]) -> frozenset[bytes]:
+    """The same for the same two points, in either order, at all positions."""
+    rounded = [np.round(place, 9) + 0.0 for place in places]
+    return frozenset(np.array(rounded[first::2]).tobytes() for first in (0, 1))
+
+
+def between(
+    kind: ShapeKind, name: str, a: fx.FlatExpression, b: fx.FlatExpression, spans: Spans, columns: Columns
+) -> Shape:
+    numbers = (("at", columns.vector(a)), ("to", columns.vector(b)))
+    return Shape(kind=kind, name=name, numbers=numbers, spans=spans)
+
+
+def _distances(
+    expression: fx.FlatExpression, named: Mapping[str, fm.Named]
+) -> Iterator[tuple[fx.FlatExpression, fx.FlatExpression]]:
+    """Pairs of points whose distance, or its square, stands in an expression or in a definition that it uses."""
+    waiting, seen = [expression], set[str]()
+    while waiting:
+        for node in postorder(waiting.pop()):
+            way = None
+            if isinstance(node, fx.Norm):
+                way = node.vector
+            elif isinstance(node, fx.Dot) and node.left == node.right:
+                way = node.left
+            if isinstance(way, fx.Binary) and way.operator == "-":
+                yield way.left, way.right
+            elif isinstance(node, fx.Variable) and node.name not in seen:
+                seen.add(node.name)
+                item = named.get(node.name)
+                if isinstance(item, fm.Definition):
+                    waiting.append(item.value)
+
+
+def _base(point: fx.FlatExpression, named: Mapping[str, fm.Named]) -> fx.FlatExpression | None:
+    """The point that another one is built on: `A` of `A + r`; the origin of the world for a position of its own."""
+    if isinstance(point, fx.PointReference):
+        item = named[point.name]
+        assert isinstance(item, fm.Point)
+        point = item.position
+    if isinstance(point, fx.PointReference | fx.FrameOrigin):
+        return None
+    if isinstance(point, fx.Binary) and isinstance(point.left, fx.PointReference | fx.FrameOrigin):
+        return point.left
+    return WORLD
+
+
+def _is_held(machine: Machine, a: fx.FlatExpression, b: fx.FlatExpression) -> bool:
+    """Is their distance the same, and not zero, at all positions, though the point moves?"""
+    one, other = places(machine, a), places(machine, b)
+    if one is None or other is None:
+        return False
+    lengths = np.linalg.norm(one - other, axis=1)
+    moves = np.ptp(one, axis=0).max() > HELD
+    return bool(moves and lengths.min() > 0.0 and np.ptp(lengths) <= HELD * lengths.max())

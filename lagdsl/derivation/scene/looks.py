@@ -1,0 +1,160 @@
+"""The looks of things: the parts of each kind of shape, in colors and sizes of all pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
+
+COLORS: Mapping[str, str] = {
+    "spring": "#0d9488", "damper": "#7c3aed", "mass": "#2563eb", "body": "#3b82f6", "box": "#3b82f6",
+    "cylinder": "#60a5fa", "cone": "#3b82f6", "disc": "#3b82f6", "sphere": "#2563eb", "circle": "#475569",
+    "arrow": "#d97706", "force": "#dc2626", "torque": "#ea580c", "trace": "#d97706", "slider": "#2563eb",
+    "dial": "#2563eb", "ground": "#94a3b8", "rail": "#94a3b8", "track": "#94a3b8", "mesh": "#94a3b8",
+    "velocity": "#16a34a", "acceleration": "#9333ea", "admissible": "#db2777", "reaction": "#0284c7",
+    "reaction torque": "#0e7490", "constraint": "#b45309", "friction": "#c026d3",
+}  # fmt: skip
+_OTHER = "#64748b"
+_DARK = 0.72
+_RIM = "#475569"
+CLEAR = 0.55
+"""Opacity of ellipsoids of inertia: bodies may stand in each other, gimbals and their rotor."""
+
+HATCHED = frozenset({"ground", "rail", "wall"})
+"""Forms of what a machine stands on: planar machines have a hatched line in their stead."""
+
+_ONE = Size(1.0)
+Numbers = Mapping[str, int]
+Place = tuple[tuple[str, int], ...]
+_ARROWS = frozenset({"force", "velocity", "acceleration", "admissible", "reaction", "constraint", "friction"})
+
+
+def sized(numbers: Numbers, role: str, otherwise: float) -> Size:
+    """The length of a role, else a part of the machine."""
+    return Size(1.0, numbers[role], False) if role in numbers else Size(otherwise)
+
+
+def parts_of(
+    kind: ShapeKind, numbers: Numbers, *, texts: Mapping[str, str] | None = None, planar: bool
+) -> tuple[Part, ...]:
+    """Of a shape with these columns by role; besides those of `Part` the roles are the arguments of `draw`."""
+    found = _parts(kind, numbers, planar)
+    color = (texts or {}).get("color", COLORS.get(kind, _OTHER))
+    return tuple(replace(part, color=color) if part.color == _OTHER else part for part in found)
+
+
+def dressed(shapes: Iterable[Shape], planar: bool) -> tuple[Shape, ...]:
+    """Shapes with the parts of their kinds, where they have none of their own."""
+    found = []
+    for each in shapes:
+        parts = each.parts or parts_of(each.kind, dict(each.numbers), texts=dict(each.texts), planar=planar)
+        flat = tuple(
+            replace(part, form=f"plane {part.form}", opacity=1.0) if planar and part.form in HATCHED else part
+            for part in parts
+        )
+        found.append(replace(each, parts=flat))
+    return tuple(found)
+
+
+def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
+    own = {**numbers, "z": numbers["axis"]} if "axis" in numbers else numbers
+    place = tuple((role, own[role]) for role in ("at", "to", "x", "z") if role in own)
+    match kind:
+        case "rod" | "rope":
+            return [_round("cylinder", place, sized(numbers, "radius", 0.007 if kind == "rod" else 0.004))]
+        case "spring":
+            return [_spring(place, sized(numbers, "radius", 0.026))]
+        case "damper":
+            return [_round("cylinder", place, Size(0.005)), _round("piston", place, Size(0.018))]
+        case "box":
+            return [_box(place, numbers, planar)]
+        case "cylinder" | "cone" | "disc":
+            return _turned(kind, place, numbers)
+        case "sphere" | "mass":
+            return ball(place, sized(numbers, "radius", 0.04))
+        case "circle":
+            form = "wire ring" if "radius" in numbers else "ring"
+            return [_even(form, place, sized(numbers, "radius", 0.014))]
+        case "mesh":
+            return [_scaled(place, numbers)]
+        case _:
+            return _marks(kind, place, numbers)
+
+
+def _marks(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
+    """Arrows, ways, names and axes; nothing for what has a value alone."""
+    if kind == "arrow" or (kind in _ARROWS and "at" in numbers):
+        vector = tuple((role, numbers[role]) for role in ("vector",) if role in numbers)
+        return [Part(primitive="arrow", numbers=(*place, *vector), scale="" if kind == "arrow" else "force")]
+    if kind in ("torque", "reaction torque"):
+        turned = (("at", numbers["at"]), ("z", numbers["vector"]))
+        return [replace(_even("turning arrow", turned, _ONE), scale="torque")]
+    if kind in ("trace", "text"):
+        return [Part(primitive="trace" if kind == "trace" else "label", numbers=place)]
+    if kind == "frame":
+        bars = zip(("x bar", "y bar", "z bar"), ("#dc2626", "#16a34a", "#2563eb"), strict=True)
+        return [replace(_even(form, place, Size(0.1)), color=color) for form, color in bars]
+    return []
+
+
+def _even(form: str, place: Place, size: Size) -> Part:
+    return Part(form=form, numbers=place, sizes=(size, size, size))
+
+
+def _round(form: str, place: Place, radius: Size, length: Size = _ONE) -> Part:
+    return Part(form=form, numbers=place, sizes=(radius, radius, length))
+
+
+def ball(place: Place, radius: Size) -> list[Part]:
+    """Light and dark octants, as one marks a mass center: one sees it turn."""
+    across = replace(radius, factor=-radius.factor)
+    return [
+        _even("octants", place, radius),
+        Part(form="octants", numbers=place, sizes=(across, radius, radius), shade=_DARK),
+    ]
+
+
+def _spring(place: Place, radius: Size) -> Part:
+    wire = replace(radius, factor=0.16 * radius.factor)
+    return Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))
+
+
+def wheel(place: Place, radius: Size, width: Size) -> list[Part]:
+    """With spokes, so that one sees it turn."""
+    return [
+        replace(_round("tire", place, radius, width), color=_RIM),
+        _round("spokes", place, radius, width),
+    ]
+
+
+def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
+    """Length along x (or from A to B), width and height across; in planar pictures the height is upright."""
+    width, height = sized(numbers, "width", 0.09), sized(numbers, "height", 0.09)
+    across, up = (height, width) if planar else (width, height)
+    if "to" in numbers:
+        return Part(form="beam", numbers=place, sizes=(across, up, Size(1.0)))
+    if "size" in numbers:
+        sizes = tuple(Size(1.0, numbers["size"] + axis, False) for axis in range(3))
+        return Part(form="cube", numbers=place, sizes=(sizes[0], sizes[1], sizes[2]))
+    return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", 0.09), across, up))
+
+
+def _turned(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
+    """Cylinders and discs on a frame stand about their axis, their middle at its origin, cones from there on."""
+    part, slim = {"cylinder": (0.03, 2.4), "cone": (0.06, 2.0)}.get(kind, (0.1, 0.12))
+    radius = sized(numbers, "radius", part)
+    if "to" in numbers:
+        return [_round("cone" if kind == "cone" else "cylinder", place, radius)]
+    given = next((role for role in ("length", "height") if role in numbers), None)
+    length = replace(radius, factor=slim * radius.factor) if given is None else sized(numbers, given, 0.0)
+    if kind == "disc":
+        return [_round("drum", place, radius, length), replace(_round("marks", place, radius, length), color="#f8fafc")]
+    return [_round("cone" if kind == "cone" else "drum", place, radius, length)]
+
+
+def _scaled(place: Place, numbers: Numbers) -> Part:
+    """Triangles of a file, in its units."""
+    one = Size(1.0, numbers.get("scale"), False)
+    own = [Size(1.0, numbers["scales"] + axis, False) for axis in range(3)] if "scales" in numbers else [one] * 3
+    return Part(form="file", numbers=place, sizes=(own[0], own[1], own[2]))

@@ -1,0 +1,306 @@
+"""Answers that the rules of shapes need of a model: numbers at positions at random, directions, parts of bodies.
+
+A rule looks at values, not at texts: it holds for every model that says the same. A `draw` statement of the same
+instance of a class takes the place of what the rules would draw for it.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.derivation.scene.drawings import along_axes
+from lagdsl.derivation.scene.shapes import Columns
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+from lagdsl.foundation.units.dimension import LENGTH
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.dependence import Dependence
+from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.language.flat.events import Contact
+from lagdsl.language.flat.quantity import Spans
+from lagdsl.language.flat.traversal import postorder
+
+_NONE: Mapping[str, float] = {}
+WORLD = fx.FrameOrigin("world")
+HELD = 1e-9
+"""A value is held if it changes by less than this part of itself between positions at random."""
+_POSITIONS = 6
+# Drawings beside which a mass is still to be seen.
+_THIN = ("trace", "text", "arrow", "rod", "spring", "damper")
+# Of a length parameter l, by which a moment of inertia m l^2/c is told to be that of a disc, a hoop, a ball, a bar.
+_SPREAD = 0.2
+
+
+@record()
+class Machine:
+    """Input of all rules: the model, the columns that they fill, its values at some positions, and what is drawn.
+
+    `standing` are points and frames of drawings with a body of their own, `reached` the second ends of those between
+    two points, `owners` the instances of classes that draw themselves, `down` the direction of gravity, if it has one.
+    """
+
+    flat: fm.FlatModel
+    columns: Columns
+    positions: tuple[Evaluator, ...]
+    dependence: Dependence
+    named: Mapping[str, fm.Named]
+    standing: frozenset[fx.FlatExpression | str]
+    reached: frozenset[fx.FlatExpression | str]
+    owners: frozenset[Spans]
+    down: Floats | None
+
+    def is_drawn(self, spans: Spans) -> bool:
+        """Does the instance of a class that an item comes from draw itself?"""
+        return bool(spans[1:]) and spans[1:] in self.owners
+
+
+def machine_of(flat: fm.FlatModel, columns: Columns) -> Machine:
+    drawings = flat.drawings
+    return Machine(
+        flat,
+        columns,
+        tuple(evaluator_at(flat, seed) for seed in range(_POSITIONS)),
+        Dependence(flat),
+        {item.name: item for item in flat.named},
+        standing=frozenset(a for drawing in drawings if drawing.shape not in _THIN for a in drawing.anchors),
+        reached=frozenset(drawing.anchors[-1] for drawing in drawings if drawing.place == "between"),
+        owners=frozenset(drawing.spans[1:] for drawing in drawings),
+        down=gravity_of(flat),
+    )
+
+
+def gravity_of(flat: fm.FlatModel) -> Floats | None:
+    """Its direction (3,) at the start; None without gravity, and where it is not known."""
+    if flat.gravity is None:
+        return None
+    found = vector_or_none(Evaluator(flat, Values()), flat.gravity)
+    size = 0.0 if found is None else float(np.linalg.norm(found))
+    return None if found is None or not 0.0 < size < np.inf else found / size
+
+
+def vector_or_none(at: Evaluator, expression: fx.FlatExpression) -> Floats | None:
+    try:
+        found = at.vector(expression)
+    except NotEvaluable:
+        return None
+    return found if np.isfinite(found).all() else None
+
+
+def movers_of(machine: Machine, expression: fx.FlatExpression) -> frozenset[str]:
+    """The coordinates that an expression depends on."""
+    coordinates = {coordinate.name for coordinate in machine.flat.coordinates}
+    return frozenset(name for name in machine.dependence.of(expression) if name in coordinates)
+
+
+def radius_at(flat: fm.FlatModel, place: fx.FlatExpression) -> fx.FlatExpression | None:
+    """Of what is drawn at a place."""
+    names = {place, place.frame} if isinstance(place, fx.FrameOrigin) else {place}
+    for drawing in flat.drawings:
+        for role, value in drawing.arguments if names & set(drawing.anchors) else ():
+            if role == "radius" and not isinstance(value, str):
+                return value
+    return None
+
+
+def normal_of(
+    flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression, movers: frozenset[str]
+) -> Floats | None:
+    """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all `movers`, at two positions at random."""
+    found = []
+    for seed in range(2):
+        moves, changes = [], []
+        for name in sorted(movers):
+            at = evaluator_at(flat, seed, {name: 1.0})
+            try:
+                moves.append(at.vector(fx.Derivative(place)))
+                changes.append(at.scalar(fx.Derivative(gap)))
+            except NotEvaluable:
+                return None
+        jacobian, change = np.array(moves).reshape(-1, 3), np.array(changes)
+        if not np.isfinite(jacobian).all() or not np.isfinite(change).all():
+            return None
+        n = np.linalg.lstsq(jacobian, change, rcond=None)[0]
+        if abs(np.linalg.norm(n) - 1.0) > HELD or np.abs(jacobian @ n - change).max() > HELD:
+            return None
+        found.append(n)
+    return found[0] if np.abs(found[0] - found[1]).max() <= HELD else None
+
+
+def evaluator_at(
+    flat: fm.FlatModel,
+    seed: int,
+    rates: Mapping[str, float] = _NONE,
+    moved: Mapping[str, float] = _NONE,
+    *,
+    parameters: float = 0.0,
+) -> Evaluator:
+    """At coordinates, states and a time at random, the same ones for the same seed, plus what is `moved`; rates that
+    are not given are 0. Real parameters differ from their values by up to the part `parameters`."""
+    chance = random.Random(seed)
+    variables = {item.name: chance.uniform(0.2, 1.2) for item in (*flat.coordinates, *flat.states)}
+    variables["time"] = chance.uniform(0.1, 1.0)
+    for name, step in moved.items():
+        variables[name] += step
+    known = Values(variables=variables, rates=dict.fromkeys(variables, 0.0) | dict(rates))
+    if not parameters:
+        return Evaluator(flat, known)
+    spread = {
+        item.name: item.value * chance.uniform(1.0 - parameters, 1.0 + parameters)
+        for item in flat.parameters
+        if item.kind == "Real" and not item.structural
+    }
+    return Evaluator(flat, replace(known, variables={**variables, **spread}))
+
+
+def number(at: Evaluator, expression: fx.FlatExpression) -> float:
+    """nan where it has no value."""
+    try:
+        return at.scalar(expression)
+    except NotEvaluable:
+        return float("nan")
+
+
+def places(machine: Machine, point: fx.FlatExpression) -> Floats | None:
+    """A point (positions, 3) at all positions."""
+    found = [each for at in machine.positions if (each := vector_or_none(at, point)) is not None]
+    return np.array(found) if len(found) == len(machine.positions) else None
+
+
+def constant(values: Floats | None) -> bool:
+    """Are all rows the same?"""
+    return values is not None and bool(np.ptp(values, axis=0).max() <= HELD * max(float(np.abs(values).max()), 1.0))
+
+
+def straight(machine: Machine, point: fx.FlatExpression) -> tuple[str, Floats] | None:
+    """Of a point that slides on a line: the one coordinate that moves it, and the constant derivative (3,) by it."""
+    movers = movers_of(machine, point)
+    if len(movers) != 1 or "time" in machine.dependence.of(point):
+        return None
+    [name] = movers
+    moves = [vector_or_none(evaluator_at(machine.flat, k, {name: 1.0}), fx.Derivative(point)) for k in range(3)]
+    if any(each is None for each in moves):
+        return None
+    rows = np.array(moves)
+    return (name, rows[0]) if constant(rows) and np.any(rows[0]) else None
+
+
+def points_of(machine: Machine) -> tuple[fx.FlatExpression, ...]:
+    """Masses, origins of frames with a body, named points: each place once."""
+    flat = machine.flat
+    found = [*(mass.position for mass in flat.masses), *(fx.FrameOrigin(body.frame) for body in flat.bodies)]
+    found += [fx.PointReference(item.name) for item in flat.named if isinstance(item, fm.Point)]
+    return tuple(dict.fromkeys(found))
+
+
+def in_frame(machine: Machine, frame: str, point: fx.FlatExpression) -> Floats | None:
+    """The components (3,) along the axes of a frame, from its origin, of a point that is fixed in it."""
+    rows = []
+    for at in machine.positions[:3]:
+        place, origin = vector_or_none(at, point), vector_or_none(at, fx.FrameOrigin(frame))
+        axes = [vector_or_none(at, fx.FrameAxis(frame, axis)) for axis in range(3)]
+        if place is None or origin is None or any(each is None for each in axes):
+            return None
+        rows.append(np.array(axes) @ (place - origin))
+    own = np.array(rows)
+    return np.asarray(own[0]) if constant(own) else None
+
+
+def fixed_points(machine: Machine, frame: str) -> list[tuple[fx.FlatExpression, Floats]]:
+    """Points of a body: named ones, origins of frames that are built on its own one, places at which it touches
+    something, with their components along its axes. A frame that nothing moves has none."""
+    if not movers_of(machine, fx.FrameOrigin(frame)) | movers_of(machine, fx.FrameAxis(frame, 0)):
+        return []
+    named: list[fx.FlatExpression] = []
+    for item in machine.flat.named:
+        if isinstance(item, fm.Point) and frame in frames_in(machine, item.position):
+            named.append(fx.PointReference(item.name))
+        elif isinstance(item, fm.Frame) and item.parent == frame:
+            named.append(fx.FrameOrigin(item.name))
+    named += [mass.position for mass in machine.flat.masses if frame in frames_in(machine, mass.position)]
+    changing = {each.name for each in (*machine.flat.states, *machine.flat.inputs, *machine.flat.events.discretes)}
+    lasting = (point for point in named if not changing & set(machine.dependence.of(point)))
+    found = [(point, own) for point in lasting if (own := in_frame(machine, frame, point)) is not None]
+    for _, gap in gaps(machine):
+        touching = touching_point(machine, frame, gap)
+        if touching is not None:
+            found.append((on_body(frame, touching[1]), touching[1]))
+    return found
+
+
+def frames_in(machine: Machine, point: fx.FlatExpression) -> frozenset[str]:
+    """The frames that the text of a point names, and those of points that it names."""
+    found: set[str] = set()
+    for node in postorder(point):
+        if isinstance(node, fx.FrameOrigin | fx.FrameAxis):
+            found.add(node.frame)
+        elif isinstance(node, fx.PointReference):
+            item = machine.named[node.name]
+            found |= frames_in(machine, item.position) if isinstance(item, fm.Point) else set()
+    return frozenset(found)
+
+
+def on_body(frame: str, own: Floats) -> fx.FlatExpression:
+    """The point with these components along the axes of a frame."""
+    if not np.any(own):
+        return fx.FrameOrigin(frame)
+    parts = [fx.Number(round(float(part), 12) + 0.0) for part in own]
+    return fx.Binary("+", fx.FrameOrigin(frame), along_axes(frame, parts))
+
+
+def gaps(machine: Machine) -> list[tuple[Contact | fm.Constraint, fx.FlatExpression]]:
+    """Distances from walls that contacts keep positive and constraints of position keep zero."""
+    flat = machine.flat
+    found: list[tuple[Contact | fm.Constraint, fx.FlatExpression]] = []
+    found += [(each, each.gap) for each in flat.events.contacts if not each.one_way]
+    for each in flat.constraints:
+        own = each.level == "position" and not (each.of_law or each.closure or each.normalisation or each.node)
+        if own and len(each.residuals) == 1:  # several rows hold a point, as a pin does
+            found.append((each, each.residuals[0]))
+    return found
+
+
+def touching_point(machine: Machine, frame: str, gap: fx.FlatExpression) -> tuple[Floats, Floats] | None:
+    """The unit normal n (3,) of a plane, and the components r (3,) along the axes of a body's frame of its point whose
+    distance from it is the gap: n . (origin + r) + c at all positions. Rotations of the body have to move the point."""
+    origin = fx.FrameOrigin(frame)
+    movers = movers_of(machine, gap)
+    turning = movers_of(machine, fx.FrameAxis(frame, 0)) | movers_of(machine, fx.FrameAxis(frame, 1))
+    sliding = (movers & movers_of(machine, origin)) - turning
+    if not (sliding and movers & turning and movers <= sliding | turning):
+        return None
+    normal = normal_of(machine.flat, gap, origin, sliding)
+    if normal is None:
+        return None
+    rows, right = [], []
+    for at in machine.positions:
+        axes = [vector_or_none(at, fx.FrameAxis(frame, axis)) for axis in range(3)]
+        place = vector_or_none(at, origin)
+        if place is None or any(each is None for each in axes):
+            return None
+        rows.append([*(np.array(axes) @ normal), 1.0])
+        right.append(number(at, gap) - float(normal @ place))
+    if not np.isfinite(right).all():
+        return None
+    found = np.linalg.lstsq(np.array(rows), np.array(right), rcond=1e-9)[0]
+    exact = np.abs(np.array(rows) @ found - right).max() <= HELD * max(1.0, float(np.abs(right).max()))
+    return (normal, np.asarray(found[:3])) if exact else None
+
+
+def length_behind(
+    machine: Machine, moment: fx.FlatExpression, mass: fx.FlatExpression
+) -> tuple[fx.FlatExpression, float] | None:
+    """A parameter l with moment = c m l^2 whatever the parameters are, and c."""
+    own = machine.dependence.of(moment)
+    lengths = [each for each in machine.flat.parameters if each.name in own and each.dimension == LENGTH]
+    ats = [evaluator_at(machine.flat, seed, parameters=_SPREAD) for seed in range(3)]
+    for each in lengths:
+        name = fx.Variable(each.name)
+        factors = np.array([number(at, moment) / (number(at, mass) * number(at, name) ** 2) for at in ats])
+        if np.isfinite(factors).all() and np.ptp(factors) <= HELD * abs(factors[0]):
+            return name, float(factors[0])
+    return None

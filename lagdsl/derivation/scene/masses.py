@@ -1,0 +1,355 @@
+"""Masses and bodies: balls, carts, bars, wheels, blocks, by mass, moments of inertia and points of the bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from lagdsl.derivation.scene.drawings import along_axes, on_frame
+from lagdsl.derivation.scene.looks import CLEAR, ball, wheel
+from lagdsl.derivation.scene.machine import (
+    HELD,
+    Machine,
+    constant,
+    evaluator_at,
+    fixed_points,
+    length_behind,
+    movers_of,
+    number,
+    places,
+    straight,
+)
+from lagdsl.derivation.scene.shapes import Part, Shape, Size
+from lagdsl.foundation.numerics.hull import hull
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.quantity import Spans
+
+BALL, CART, BAR = 0.04, 0.04, 0.028
+"""Parts of the machine: the radius of the ball of the largest mass, the unit of a cart, the width of a bar."""
+
+_LEAST_SHARE = 1.0 / 64.0  # of the largest mass: a ball has at least a quarter of its radius
+_BAR_INERTIA = 1.0 / 12.0
+_THIN = 0.02  # of a side that a moment of inertia does not tell
+_PULLEY = 0.09  # radius of a wheel without a mass
+_WHEEL = 0.25  # width over radius of a wheel, and of a body whose moments tell no width
+
+
+def masses(machine: Machine) -> Iterator[Shape]:
+    """A ball at each point mass to which nothing is drawn; a cart for one that slides along a line across gravity."""
+    columns, at = machine.columns, machine.positions[0]
+    most = max((number(at, item.mass) for item in machine.flat.masses), default=1.0)
+    rails: list[tuple[Floats, Floats]] = []
+    for k, item in enumerate(machine.flat.masses, 1):
+        if item.position in machine.standing or machine.is_drawn(item.spans):
+            continue
+        place = columns.vector(item.position)
+        numbers = (("at", place),)
+        way = driven(machine, item.position)
+        if way is not None:
+            yield _cart(machine, f"mass {k}", item.position, way, item.spans)
+            yield from rail(machine, item.position, way, rails, item.spans)
+            continue
+        share = fx.Binary("/", item.mass, fx.Number(most if most > 0.0 else 1.0))
+        bounded = fx.Function("max", (share, fx.Number(_LEAST_SHARE)))
+        size = Size(BALL, columns.scalar(fx.Binary("^", bounded, fx.Number(1.0 / 3.0))))
+        parts = tuple(replace(part, color="#2563eb") for part in ball(numbers, size))
+        yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, parts=parts, spans=item.spans)
+
+
+def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] | None:
+    """The directions along and up of a point that slides along a line which is not that of gravity; nothing that
+    touches a wall by a contact, which lies on it, or that only a constraint keeps on its line."""
+    found = straight(machine, point)
+    if found is None:
+        return None
+    name, move = found
+    events = machine.flat.events
+    told = [*(each.gap for each in events.contacts), *(slip for each in events.frictions for slip in each.slips)]
+    if any(name in movers_of(machine, each) for each in told) or _is_framed(machine, point):
+        return None
+    along = move / np.linalg.norm(move)
+    up = np.array([0.0, 0.0, 1.0]) if machine.down is None else -machine.down
+    if machine.down is None and abs(along[2]) <= HELD:
+        up = np.array([-along[1], along[0], 0.0])
+        up = -up if up[1] < 0.0 else up
+    up = up - (up @ along) * along
+    size = float(np.linalg.norm(up))
+    return (along, up / size) if size > HELD else None
+
+
+def _is_framed(machine: Machine, point: fx.FlatExpression) -> bool:
+    """Is the point the corner of something that is drawn by lines and slides with it?"""
+    own = places(machine, point)
+    for drawing in machine.flat.drawings:
+        if drawing.place != "between" or own is None:
+            continue
+        found = (places(machine, end) for end in drawing.anchors if not isinstance(end, str))
+        ends = [each for each in found if each is not None]
+        if len(ends) == 2 and constant(ends[1] - ends[0]) and min(np.abs(own - each).max() for each in ends) <= HELD:
+            return True
+    return False
+
+
+def _vector(values: Floats) -> fx.FlatExpression:
+    return fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in values))
+
+
+def _cart(machine: Machine, name: str, point: fx.FlatExpression, way: tuple[Floats, Floats], spans: Spans) -> Shape:
+    columns = machine.columns
+    numbers = (
+        ("at", columns.vector(point)),
+        ("x", columns.vector(_vector(way[0]))),
+        ("z", columns.vector(_vector(way[1]))),
+    )
+    size = (Size(CART),) * 3
+    parts = (
+        Part(form="cart", numbers=numbers, sizes=size, color="#2563eb"),
+        Part(form="cart wheels", numbers=numbers, sizes=size, color="#475569"),
+    )
+    return Shape(kind="mass", name=name, numbers=numbers[:1], parts=parts, spans=spans)
+
+
+def rail(
+    machine: Machine,
+    point: fx.FlatExpression,
+    way: tuple[Floats, Floats],
+    known: list[tuple[Floats, Floats]],
+    spans: Spans,
+) -> Iterator[Shape]:
+    """The hatched line that carts stand on, once for all on one line."""
+    along, up = way
+    at = machine.positions[0].vector(point)
+    foot = at - (at @ along) * along
+    if any(
+        np.abs(foot - other).max() + min(np.abs(along - line).max(), np.abs(along + line).max()) <= HELD
+        for other, line in known
+    ):
+        return
+    known.append((foot, along))
+    columns = machine.columns
+    across = fx.Binary("-", point, fx.Binary("*", fx.Dot(point, _vector(along)), _vector(along)))
+    numbers = (
+        ("at", columns.vector(across)),
+        ("x", columns.vector(_vector(along))),
+        ("z", columns.vector(_vector(up))),
+    )
+    part = Part(form="rail", numbers=numbers, color="#94a3b8", still=True, offset=-CART)
+    yield Shape(kind="rail", name="rail", numbers=(), parts=(part,), spans=spans)
+
+
+def bodies(machine: Machine) -> Iterator[Shape]:
+    """A body to whose frame nothing is drawn, by its inertia and the points that are fixed in it."""
+    for k, item in enumerate(machine.flat.bodies, 1):
+        if item.frame in machine.standing or machine.is_drawn(item.spans):
+            continue
+        found = _Body(machine, item).parts()
+        shown = tuple(replace(part, color="#3b82f6") if part.color == "#64748b" else part for part in found)
+        numbers = (*on_frame(item.frame, machine.columns),)
+        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, parts=shown, spans=item.spans)
+
+
+def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
+    """The instances of classes that hold a body with moments of inertia."""
+    at = evaluator_at(flat, 0)
+    return frozenset(body.spans[1:] for body in flat.bodies if any(number(at, each) != 0.0 for each in body.inertia))
+
+
+def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
+    """A thin arm from the frame of a body to its mass center, one of the `centres` that components draw."""
+    frames = {body.spans[1:]: fx.FrameOrigin(body.frame) for body in machine.flat.bodies}
+    columns, at = machine.columns, machine.positions[0]
+    for drawing in centres:
+        [center] = drawing.anchors
+        own = frames.get(drawing.spans[1:])
+        if own is None or isinstance(center, str):
+            continue
+        if np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
+            numbers = (("at", columns.vector(own)), ("to", columns.vector(center)))
+            yield Shape(kind="rope", name="to the mass center", numbers=numbers, spans=drawing.spans)
+
+
+def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:
+    """Of a body that is a disc, a hoop or a ball about the origin of its frame: the parameter behind its moments."""
+    at = machine.positions[0]
+    if any(number(at, part) != 0.0 for part in body.com) or not number(at, body.mass) > 0.0:
+        return None
+    largest = max(body.inertia[:3], key=lambda each: number(at, each))
+    found = length_behind(machine, largest, body.mass)
+    return found[0] if found is not None and found[1] > _BAR_INERTIA * (1.0 + HELD) else None
+
+
+class _Body:
+    """Chooses the look of one body. `points` (n, 3) are those that are fixed in it, along its axes."""
+
+    def __init__(self, machine: Machine, item: fm.RigidBody) -> None:
+        self.machine, self.item, self.columns = machine, item, machine.columns
+        at = machine.positions[0]
+        self.mass = number(at, item.mass)
+        self.com = np.array([number(at, part) for part in item.com])
+        self.moments = np.array([number(at, part) for part in item.inertia])
+        self.points = fixed_points(machine, item.frame)
+
+    def parts(self) -> list[Part]:
+        """A point by a ball; a body that is held away from its mass center, or at several points, by bars between them;
+        any other one by its inertia."""
+        if not self.moments.any():
+            return self._point()
+        if self.mass <= 0.0 or not np.isfinite(self.moments).all():
+            return self._wheel(Size(_PULLEY))
+        planar = not self.moments[[0, 1, 3, 4, 5]].any()
+        rank = _rank(np.array([each for _, each in self._corners()]))
+        if self.points and rank > 1:
+            return self._frame()
+        if planar and (rank > 0 or self._is_bar()):
+            return [self._bar()]
+        if not planar and self.points and rank == 1:
+            return self._frame()
+        lever = [self._beam(fx.FrameOrigin(self.item.frame), self._center(), 0.3 * BAR)] if self.com.any() else []
+        return [*(self._disc() if planar else self._spatial()), *lever]
+
+    # ---- pieces ------------------------------------------------------------------------------------------------------
+
+    def _center(self) -> fx.FlatExpression:
+        if not self.com.any():
+            return fx.FrameOrigin(self.item.frame)
+        return fx.Binary("+", fx.FrameOrigin(self.item.frame), along_axes(self.item.frame, self.item.com))
+
+    def _place(self, turn: Floats | None = None) -> tuple[tuple[str, int], ...]:
+        """At the mass center, along the axes of the frame, or of those that are the columns of `turn`."""
+        axes = np.eye(3) if turn is None else turn
+        x, z = (self._direction(axes[:, k]) for k in (0, 2))
+        return (("at", self.columns.vector(self._center())), ("x", x), ("z", z))
+
+    def _direction(self, own: Floats) -> int:
+        frame = self.item.frame
+        for axis in range(3):
+            if own[axis] == 1.0:
+                return self.columns.vector(fx.FrameAxis(frame, axis))
+        return self.columns.vector(along_axes(frame, [fx.Number(float(part)) for part in own]))
+
+    def _length(self, factor: float, moment: fx.FlatExpression) -> Size:
+        """sqrt(factor * moment / mass)."""
+        square = fx.Binary("/", fx.Binary("*", fx.Number(factor), moment), self.item.mass)
+        return Size(1.0, self.columns.scalar(fx.Function("sqrt", (square,))), False)
+
+    def _point(self) -> list[Part]:
+        at = (("at", self.columns.vector(self._center())),)
+        found = ball(at, Size(BALL))
+        if self.com.any():
+            ends = (("at", self.columns.vector(fx.FrameOrigin(self.item.frame))), ("to", at[0][1]))
+            found.append(Part(form="cylinder", numbers=ends, sizes=(Size(0.006), Size(0.006), Size(1.0))))
+        return found
+
+    def _wheel(self, radius: Size) -> list[Part]:
+        return wheel(self._place(), radius, replace(radius, factor=_WHEEL * radius.factor))
+
+    # ---- plane bodies ------------------------------------------------------------------------------------------------
+
+    def _corners(self) -> list[tuple[fx.FlatExpression, Floats]]:
+        """Points of the body with its mass center and, if that is elsewhere, the origin of its frame."""
+        found = [*self.points, (self._center(), self.com)]
+        if self.com.any():
+            found.append((fx.FrameOrigin(self.item.frame), np.zeros(3)))
+        return found
+
+    def _is_bar(self) -> bool:
+        behind = length_behind(self.machine, self.item.inertia[2], self.item.mass)
+        return behind is not None and abs(behind[1] - _BAR_INERTIA) <= HELD
+
+    def _disc(self) -> list[Part]:
+        """About the normal of the plane: of the radius of a parameter, if one is behind the moment."""
+        radius = radius_of(self.machine, self.item)
+        own = (
+            self._length(2.0, self.item.inertia[2]) if radius is None else Size(1.0, self.columns.scalar(radius), False)
+        )
+        return self._wheel(own)
+
+    def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
+        numbers = (("at", self.columns.vector(start)), ("to", self.columns.vector(end)))
+        return Part(form="beam", numbers=numbers, sizes=(Size(width), Size(width), Size(1.0)))
+
+    def _frame(self) -> list[Part]:
+        """Bars around the points of the body, seen across the plane that they lie in or near."""
+        corners = self._corners()
+        places = np.array([own for _, own in corners])
+        axes = np.linalg.svd(places - places.mean(axis=0))[2][:2]
+        rim = hull((places - places.mean(axis=0)) @ axes.T)
+        ends = zip(rim, rim[1:] + rim[:1], strict=True) if len(rim) > 2 else [(rim[0], rim[-1])]
+        return [self._beam(corners[i][0], corners[j][0]) for i, j in ends]
+
+    def _bar(self) -> Part:
+        """I = m l^2/12 about the mass center; one that is held at two points ends there."""
+        frame = self.item.frame
+        ways = [self.com, *(place for _, place in self.points), np.array([1.0, 0.0, 0.0])]
+        along = next(way / np.linalg.norm(way) for way in ways if np.linalg.norm(way) > HELD)
+        center, half = float(self.com @ along), float(np.sqrt(3.0 * self.moments[2] / self.mass))
+        square = fx.Binary("/", fx.Binary("*", fx.Number(3.0), self.item.inertia[2]), self.item.mass)
+        direction = along_axes(frame, [fx.Number(float(part)) for part in along])
+        way = fx.Binary("*", fx.Function("sqrt", (square,)), direction)
+        ends: list[fx.FlatExpression] = [fx.Binary(sign, self._center(), way) for sign in "-+"]  # type: ignore[arg-type]
+        held = sorted(((float(own @ along), k) for k, (_, own) in enumerate(self._corners())), key=lambda each: each[0])
+        if self.points and held[-1][0] - held[0][0] > HELD:
+            for k, (place, number_) in enumerate((held[0], held[-1])):
+                reached = center + (half if k else -half)
+                if abs(place - center) <= abs(reached - center) * (1.0 + 1e-6) and abs(place - center) > HELD:
+                    ends[k] = self._corners()[number_][0]
+        return self._beam(ends[0], ends[1])
+
+    # ---- bodies in space ---------------------------------------------------------------------------------------------
+
+    def _spatial(self) -> list[Part]:
+        """Three equal moments are a ball, two a cylinder about the axis of the third one, others a cuboid."""
+        xx, yy, zz, xy, xz, yz = self.moments
+        values, turn = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        if not np.any([xy, xz, yz]):
+            values, turn = self.moments[:3], np.eye(3)
+        same = [abs(values[(k + 1) % 3] - values[(k + 2) % 3]) <= HELD * values.max() for k in range(3)]
+        if all(same):
+            size = self._moment_length(2.5, turn, (1.0, 0.0, 0.0))
+            return [replace(part, opacity=1.0) for part in ball(self._place(turn), size)]
+        if any(same):
+            return self._cylinder(values, turn, same.index(True))
+        sizes = [self._side(6.0, values, turn, k) for k in range(3)]
+        own = turn if np.linalg.det(turn) > 0.0 else -turn
+        return [Part(form="cube", numbers=self._place(own), sizes=(sizes[0], sizes[1], sizes[2]), opacity=CLEAR)]
+
+    def _cylinder(self, values: Floats, turn: Floats, axis: int) -> list[Part]:
+        """r^2 = 2 I_axis/m and l^2 = 12 I_across/m - 3 r^2, from the moments of a homogeneous cylinder."""
+        own = np.roll(turn, 2 - axis, axis=1)
+        axial, across = values[axis], values[(axis + 1) % 3]
+        weights = np.roll([0.0, 0.0, 1.0], axis - 2)
+        radius = Size(_THIN) if axial <= HELD * across else self._moment_length(2.0, turn, weights)
+        if 12.0 * across - 6.0 * axial > 0.0:
+            length = self._moment_length(1.0, turn, np.roll([12.0, 0.0, -6.0], axis - 2))
+        else:
+            length = replace(radius, factor=_WHEEL * radius.factor)
+        place = self._place(own)
+        drum = Part(form="drum", numbers=place, sizes=(radius, radius, length), opacity=CLEAR)
+        return [drum, Part(form="marks", numbers=place, sizes=(radius, radius, length), color="#f8fafc")]
+
+    def _side(self, factor: float, values: Floats, turn: Floats, axis: int) -> Size:
+        """Of a cuboid: a^2 = 6 (I_b + I_c - I_a)/m; one that the moments do not tell is thin."""
+        weights = np.where(np.arange(3) == axis, -factor, factor)
+        return self._moment_length(1.0, turn, weights) if weights @ values > HELD * values.max() else Size(_THIN)
+
+    def _moment_length(self, factor: float, turn: Floats, weights: Floats | tuple[float, ...]) -> Size:
+        """sqrt(factor sum_k weights_k I_k / m) with the moments I_k about the axes that are the columns of `turn`."""
+        tensor = turn @ np.diag(np.asarray(weights)) @ turn.T
+        pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+        factors = [float(tensor[i, j]) * (1.0 if i == j else 2.0) for i, j in pairs]
+        terms = [
+            fx.Binary("*", fx.Number(f), m) for f, m in zip(factors, self.item.inertia, strict=True) if abs(f) > 1e-12
+        ]
+        total: fx.FlatExpression = terms[0]
+        for term in terms[1:]:
+            total = fx.Binary("+", total, term)
+        return self._length(factor, total)
+
+
+def _rank(rows: Floats) -> int:
+    found = rows - rows[0]
+    return int(np.linalg.matrix_rank(found, tol=1e-9 * max(float(np.abs(found).max()), 1e-30)))

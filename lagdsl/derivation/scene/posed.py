@@ -1,0 +1,104 @@
+"""The parts of a scene at their places at one row of a motion: one placement for pictures, films and figures.
+
+`web/src/shapes.ts` of the page has its counterpart, for motions that are integrated there.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lagdsl.derivation.scene.forms import coil
+from lagdsl.derivation.scene.shapes import Part, Size
+from lagdsl.derivation.scene.stage import Stage
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+
+NECK, SHAFT, HEAD = 0.05, 0.006, 0.018
+"""Of the machine: the length of an arrow's tip, the radii of its shaft and tip."""
+
+_DIRECTION = 0.2
+
+
+@record()
+class Posed:
+    """A part at row `row` of the motion of a stage."""
+
+    stage: Stage
+    part: Part
+    row: int
+
+    def finite(self) -> bool:
+        values = self.stage.rows[self.row]
+        columns = [size.column for size in self.part.sizes if size.column is not None]
+        vectors = [values[first : first + 3] for _, first in self.part.numbers]
+        return bool(np.isfinite([*values[columns], *np.ravel(vectors)]).all())
+
+    def has(self, role: str) -> bool:
+        return any(name == role for name, _ in self.part.numbers)
+
+    def vector(self, role: str) -> Floats:
+        first = dict(self.part.numbers)[role]
+        return np.array(self.stage.rows[self.row, first : first + 3])
+
+    def size(self, size: Size) -> float:
+        value = 1.0 if size.column is None else float(self.stage.rows[self.row, size.column])
+        return size.factor * value * (self.stage.length if size.relative else 1.0)
+
+    def matrix(self) -> Floats:
+        """The transformation (4, 4) of the unit form."""
+        part, at, to = self.part, self.vector("at"), self.has("to")
+        way = self.vector("to") - at if to else self.vector("z") if self.has("z") else np.array([0.0, 0.0, 1.0])
+        sizes = [self.size(size) for size in part.sizes]
+        if part.scale:
+            sizes = [float(np.linalg.norm(way)) * self.stage.scales[part.scale]] * 3
+        elif to:
+            sizes[2] = float(np.linalg.norm(way))
+        x, y, z = axes_along(way, self.vector("x") if self.has("x") else None)
+        if part.still:
+            at = self._beside(at, z, x if self.has("x") else None)
+        return matrix_of(x * sizes[0], y * sizes[1], z * sizes[2], at + part.offset * self.stage.length * z)
+
+    def _beside(self, at: Floats, z: Floats, x: Floats | None) -> Floats:
+        """The place of the plane, or of the line along x in it, that is nearest to the middle of the machine."""
+        away = self.stage.center - at
+        return np.asarray(at + (away - (away @ z) * z if x is None else (away @ x) * x))
+
+    def line(self) -> Floats:
+        """Points (n, 3)."""
+        if self.part.form == "coil":
+            return placed(coil(), self.matrix())
+        first = dict(self.part.numbers)["points"]
+        return np.asarray(self.stage.rows[self.row, first : first + 3 * self.part.count].reshape(-1, 3))
+
+    def way(self) -> Floats:
+        """From tail to tip of an arrow: loads are as long as they are large, directions of the user have one length."""
+        if self.has("to"):
+            return np.asarray(self.vector("to") - self.vector("at"))
+        way = self.vector("vector")
+        if self.part.scale:
+            return np.asarray(way * self.stage.scales[self.part.scale])
+        return np.asarray(way * (_DIRECTION * self.stage.length / (float(np.linalg.norm(way)) or 1.0)))
+
+
+def axes_along(way: Floats, about: Floats | None) -> tuple[Floats, Floats, Floats]:
+    """Unit axes: z along a way, x as near as may be to a direction, else across the vertical z (y where z is that)."""
+    size = float(np.linalg.norm(way))
+    z = way / size if size > 0.0 else np.array([0.0, 0.0, 1.0])
+    upright = np.array([0.0, 1.0, 0.0]) if abs(z[2]) > 0.9 else np.array([0.0, 0.0, 1.0])
+    x = np.cross(upright, z) if about is None else about - (about @ z) * z
+    if np.linalg.norm(x) < 1e-6:
+        x = np.cross(upright, z)
+    x = x / np.linalg.norm(x)
+    return x, np.cross(z, x), z
+
+
+def placed(unit: Floats, matrix: Floats) -> Floats:
+    """Corners or points (..., 3) of a unit body through a transformation (4, 4)."""
+    return np.asarray(unit @ matrix[:3, :3].T + matrix[:3, 3])
+
+
+def matrix_of(x: Floats, y: Floats, z: Floats, at: Floats) -> Floats:
+    """The transformation (4, 4) with these axes and this origin."""
+    made = np.eye(4)
+    made[:3, 0], made[:3, 1], made[:3, 2], made[:3, 3] = x, y, z, at
+    return made

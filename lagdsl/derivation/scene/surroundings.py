@@ -1,0 +1,251 @@
+"""Around the masses of a machine: grounds, tracks, loads, frames, and gauges of coordinates without a place."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from lagdsl.derivation.scene.drawings import on_frame
+from lagdsl.derivation.scene.links import machine_position
+from lagdsl.derivation.scene.machine import (
+    HELD,
+    Machine,
+    constant,
+    evaluator_at,
+    gaps,
+    movers_of,
+    normal_of,
+    number,
+    on_body,
+    points_of,
+    radius_at,
+    straight,
+    touching_point,
+    vector_or_none,
+)
+from lagdsl.derivation.scene.masses import radius_of
+from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.quantity import is_angle
+from lagdsl.language.flat.traversal import postorder, substituted
+
+# Beyond so many, axes of frames cover the picture.
+_MOST_FRAMES = 60
+_STEPS_OF_A_TRACK = 49
+_FARTHEST = 6.0  # of its largest start value: so far the track of a length is drawn
+_GROUND = "#94a3b8"
+_CLEAR_GROUND = 0.3
+
+
+def grounds(machine: Machine) -> Iterator[Shape]:
+    """The plane that a contact or a constraint keeps a point, the rim of a round body or a point of a body on or from:
+    its gap then changes as n . P does, with one unit vector n at all positions."""
+    seen: list[Floats] = []
+    for item, gap in gaps(machine):
+        found = _plane_of(machine, gap)
+        if found is None:
+            continue
+        normal, foot = found
+        n = fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in normal))
+        still = fx.Binary("*", fx.Dot(foot, n), n)
+        numbers = (("at", machine.columns.vector(foot)), ("normal", machine.columns.vector(n)))
+        at = vector_or_none(machine.positions[0], still)
+        plane = np.array([*normal, *(np.zeros(3) if at is None else at)])
+        if any(np.abs(plane - other).max() <= HELD for other in seen):
+            continue
+        seen.append(plane)
+        part = Part(
+            form="ground",
+            numbers=(("at", machine.columns.vector(still)), ("z", numbers[1][1])),
+            color=_GROUND,
+            still=True,
+            opacity=_CLEAR_GROUND,
+        )
+        yield Shape(kind="ground", name=item.name, numbers=numbers, parts=(part,), spans=item.spans)
+
+
+def _plane_of(machine: Machine, gap: fx.FlatExpression) -> tuple[Floats, fx.FlatExpression] | None:
+    """The unit normal of a plane, and a point of it."""
+    flat, own = machine.flat, movers_of(machine, gap)
+    if not own:
+        return None
+    bodies = {fx.FrameOrigin(body.frame): body for body in flat.bodies}
+    for place in points_of(machine):
+        movers = movers_of(machine, place)
+        normal = normal_of(flat, gap, place, movers) if own <= movers else None
+        if normal is None:
+            continue
+        n = fx.Vector(*(fx.Number(float(x)) for x in normal))
+        body = bodies.get(place) if isinstance(place, fx.FrameOrigin) else None
+        reach = radius_at(flat, place) or (None if body is None else radius_of(machine, body))
+        depth = gap if reach is None else fx.Binary("+", gap, reach)
+        return normal, fx.Binary("-", place, fx.Binary("*", depth, n))
+    for body in flat.bodies:
+        found = touching_point(machine, body.frame, gap)
+        if found is not None:
+            n = fx.Vector(*(fx.Number(float(x)) for x in found[0]))
+            return found[0], fx.Binary("-", on_body(body.frame, found[1]), fx.Binary("*", gap, n))
+    return None
+
+
+def tracks(machine: Machine) -> Iterator[Shape]:
+    """The wire of a mass: a constraint that is solved for one of its two coordinates gives it, or the way that one
+    coordinate takes it, if that is neither a line nor a circle about the place it is built on."""
+    for mass in machine.flat.masses:
+        points = _wire(machine, mass) or _way(machine, mass)
+        if points:
+            first = machine.columns.scalars(tuple(fx.Component(p, k) for p in points for k in range(3)))
+            part = Part(
+                primitive="line", form="points", numbers=(("points", first),), count=len(points),
+                sizes=(Size(1.0), Size(1.0), Size(0.006)), color=_GROUND, still=True,
+            )  # fmt: skip
+            yield Shape(kind="track", name="track", numbers=(), parts=(part,), spans=mass.spans)
+
+
+def _wire(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
+    movers = movers_of(machine, mass.position)
+    for item, residual in gaps(machine):
+        if not isinstance(item, fm.Constraint) or movers_of(machine, residual) != movers or len(movers) != 2:
+            continue
+        for free, solved in (sorted(movers), sorted(movers)[::-1]):
+            slopes = np.array(
+                [number(evaluator_at(machine.flat, k, {solved: 1.0}), fx.Derivative(residual)) for k in range(3)]
+            )
+            if not (np.isfinite(slopes).all() and constant(slopes[:, None]) and slopes[0]) or _is_plane(
+                machine, residual, mass
+            ):
+                continue
+            rest = substituted(residual, {solved: fx.ZERO})
+            height = fx.Binary("/", rest, fx.Number(-float(slopes[0])))
+            place = substituted(machine_position(machine, mass.position), {solved: height})
+            return [substituted(place, {free: fx.Number(s)}) for s in _range(machine, free, movers)]
+    return []
+
+
+def _is_plane(machine: Machine, gap: fx.FlatExpression, mass: fm.PointMass) -> bool:
+    return normal_of(machine.flat, gap, mass.position, movers_of(machine, gap)) is not None
+
+
+def _way(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
+    movers = movers_of(machine, mass.position)
+    if len(movers) != 1 or "time" in machine.dependence.of(mass.position) or straight(machine, mass.position):
+        return []
+    [name] = movers
+    position = machine_position(machine, mass.position)
+    if any(isinstance(each, fx.PointReference | fx.FrameOrigin | fx.FrameAxis) for each in postorder(position)):
+        return []
+    points = [substituted(position, {name: fx.Number(s)}) for s in _range(machine, name, movers)]
+    found = [vector_or_none(machine.positions[0], point) for point in points[::6]]
+    if any(each is None for each in found):
+        return []
+    return [] if _on_a_circle(np.array(found)) else points
+
+
+def _on_a_circle(places: Floats) -> bool:
+    """Is |r|^2 = 2 c . r + d for some c and d, as on a sphere?"""
+    rows, squares = np.column_stack([2.0 * places, np.ones(len(places))]), np.sum(places**2, axis=1)
+    found = np.linalg.lstsq(rows, squares, rcond=HELD)[0]
+    return bool(np.abs(rows @ found - squares).max() <= HELD * squares.max())
+
+
+def _range(machine: Machine, name: str, movers: Iterable[str]) -> list[float]:
+    """A turn of an angle; of a length as far as its start values let one expect."""
+    items = {each.name: each for each in machine.flat.coordinates}
+    if is_angle(items[name]):
+        low, high = -math.pi, math.pi
+    else:
+        starts = [abs(number(machine.positions[0], items[each].start)) for each in movers]
+        high = _FARTHEST * max(starts) or 1.0
+        low = -high
+        minimum, maximum = items[name].minimum, items[name].maximum
+        low, high = (low if minimum is None else max(low, minimum)), (high if maximum is None else min(high, maximum))
+    return [float(value) for value in np.linspace(low, high, _STEPS_OF_A_TRACK)]
+
+
+def loads(machine: Machine) -> Iterator[Shape]:
+    """Forces at their points, torques at the origins of their frames, and loads on coordinates at what they move."""
+    for load in machine.flat.loads:
+        match load:
+            case fm.PointForce():
+                yield _load("force", load, load.point, load.force, machine)
+            case fm.FrameTorque():
+                yield _load("torque", load, fx.FrameOrigin(load.frame), load.torque, machine)
+            case fm.GeneralizedForce():
+                found = _acts_at(machine, load.target)
+                if found is not None:
+                    kind, place, axis = found
+                    n = fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in axis))
+                    yield _load(kind, load, place, fx.Binary("*", load.value, n), machine)
+            case fm.RateForce():
+                pass
+
+
+def _load(kind: ShapeKind, load: fm.Load, at: fx.FlatExpression, vector: fx.FlatExpression, machine: Machine) -> Shape:
+    numbers = (("at", machine.columns.vector(at)), ("vector", machine.columns.vector(vector)))
+    return Shape(kind=kind, name=load.label or kind, numbers=numbers, spans=load.spans)
+
+
+def _acts_at(machine: Machine, target: fx.FlatExpression) -> tuple[ShapeKind, fx.FlatExpression, Floats] | None:
+    """The first thing that a coordinate alone shifts along a line or turns about a direction that does not change."""
+    if not isinstance(target, fx.Variable):
+        return None
+    for point in points_of(machine):
+        found = straight(machine, point)
+        if found is not None and found[0] == target.name:
+            return "force", point, found[1]
+    for body in machine.flat.bodies:
+        axes = [fx.FrameAxis(body.frame, axis) for axis in range(3)]
+        spins = []
+        for seed in range(2):
+            at = evaluator_at(machine.flat, seed, {target.name: 1.0})
+            rows = [(vector_or_none(at, axis), vector_or_none(at, fx.Derivative(axis))) for axis in axes]
+            spins.append(0.5 * sum((np.cross(a, r) for a, r in rows if a is not None and r is not None), np.zeros(3)))
+        if abs(np.linalg.norm(spins[0]) - 1.0) <= HELD and np.abs(spins[0] - spins[1]).max() <= HELD:
+            return "torque", fx.FrameOrigin(body.frame), spins[0]
+    return None
+
+
+def frames(machine: Machine) -> Iterator[Shape]:
+    """The axes of the world and of the named frames."""
+    columns = machine.columns
+    found = [item for item in machine.flat.named if isinstance(item, fm.Frame)][:_MOST_FRAMES]
+    yield Shape(kind="frame", name="world", numbers=tuple(on_frame("world", columns)), spans=())
+    for item in found:
+        yield Shape(kind="frame", name=item.name, numbers=tuple(on_frame(item.name, columns)), spans=item.spans)
+
+
+def gauges(machine: Machine) -> Iterator[Shape]:
+    """A dial for each angle and a slider for each other coordinate that moves nothing of what is drawn."""
+    drawn = tuple(machine.columns.expressions)
+    for coordinate in machine.flat.coordinates:
+        moved = evaluator_at(machine.flat, 0, moved={coordinate.name: 0.1})
+        # A ball that turns in its place depends on its angle, and nothing is seen of it.
+        likely = (each for each in drawn if coordinate.name in machine.dependence.of(each))
+        if any(_is_changed(number(machine.positions[0], each), number(moved, each)) for each in likely):
+            continue
+        kind: ShapeKind = "dial" if is_angle(coordinate) else "slider"
+        numbers = (("value", machine.columns.scalar(fx.Variable(coordinate.name))),)
+        yield Shape(kind=kind, name=coordinate.name, numbers=numbers, spans=coordinate.spans)
+
+
+def is_planar(machine: Machine, shapes: Iterable[Shape]) -> bool:
+    """Does every place keep z = 0, and every axis the plane, wherever the coordinates are?"""
+    firsts = [first for shape in shapes for role, first in shape.numbers if role in {"at", "to"}]
+    flat_axes = [first for shape in shapes if shape.kind != "frame" for role, first in shape.numbers if role == "z"]
+    for at in machine.positions[:2]:
+        values = np.array([number(at, each) for each in machine.columns.expressions])
+        sizes = np.abs(values[np.isfinite(values)])
+        room = 1e-12 * float(np.max(sizes, initial=1.0))
+        if any(abs(values[first + 2]) > room for first in firsts):
+            return False
+        if any(abs(abs(values[first + 2]) - 1.0) > 1e-12 for first in flat_axes):
+            return False
+    return True
+
+
+def _is_changed(before: float, after: float) -> bool:
+    return before != after and not (math.isnan(before) and math.isnan(after))
