@@ -249,15 +249,17 @@ def rods(machine: Machine) -> Iterator[Shape]:
 
 def arms(machine: Machine) -> Iterator[Shape]:
     """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world, and to a
-    frame with a position of its own, only where the distance is held."""
+    frame with a position of its own, only where the distance is held. The place that a `draw` statement writes down
+    belongs to its shape, and has none."""
     at = machine.positions
+    places = set(_written(machine.flat))
     known = {
         _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
         for drawing in machine.flat.drawings
         if drawing.place == "between"
     }
     for item in machine.flat.named:
-        if not isinstance(item, fm.Frame) or item.image is not None:
+        if not isinstance(item, fm.Frame) or item.image is not None or item.name in places:
             continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
         ends = [each.vector(end) for each in at for end in (parent, own)]
@@ -267,6 +269,18 @@ def arms(machine: Machine) -> Iterator[Shape]:
         if lengths.min() > HELD and (held or builds) and _ends(ends) not in known:
             known.add(_ends(ends))
             yield between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
+
+
+def _written(flat: fm.FlatModel) -> Iterator[str]:
+    """Frames that stand in the text of the `draw` statements on them, without a name: `on F.move(r)`."""
+    frames = {item.name: item.spans[0] for item in flat.named if isinstance(item, fm.Frame)}
+    for drawing in flat.drawings:
+        whole = drawing.spans[0]
+        for anchor in drawing.anchors:
+            if isinstance(anchor, str) and anchor in frames:
+                part = frames[anchor]
+                if part.file == whole.file and whole.start <= part.start and part.end <= whole.end:
+                    yield anchor
 
 
 def _is_placed(frame: fm.Frame) -> bool:
