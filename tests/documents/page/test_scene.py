@@ -156,6 +156,8 @@ def test_frames_that_are_built_elsewhere_hang_on_arms() -> None:
     arm += "body c(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; body d(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on g;"
     assert kinds(scene(arm)) == {"body": 2, "rope": 1}
     assert kinds(scene(arm + "draw rod from f.origin to g.origin;")) == {"body": 2, "rod": 1}
+    drawn = {"body": 2, "rope": 1, "box": 1}
+    assert kinds(scene(arm + "draw box(size = 1 cm) on f.move({0, 2 m, 0});")) == drawn
     placed = arm.replace("f.move({1 m, 0, 0})", "f.at((1 m)*f.x)")
     assert kinds(scene(placed)) == {"body": 2, "rope": 1}
     rolls = "coordinate Length x(start = 1 m); coordinate Angle a; frame f = world.rotz(a); gravity = 0;"
