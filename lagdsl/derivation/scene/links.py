@@ -215,7 +215,8 @@ def ropes(machine: Machine) -> Iterator[Shape]:
                 ends = _by_distance(machine, residual, "spring")
                 pairs = [] if ends is None else [ends]
             for a, b in pairs:
-                yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
+                if not (_is_on_circle(machine, a, b, residual) or _is_on_circle(machine, b, a, residual)):
+                    yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
             for a, b in _hanging(machine, residual):
                 yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
 
@@ -241,10 +242,39 @@ def rods(machine: Machine) -> Iterator[Shape]:
         while point not in done and point not in machine.reached and not machine.is_drawn(item.spans):
             done.add(point)
             base = _base(point, machine.named)
-            if base is None or not _is_held(machine, point, base):
+            if base is None or not _is_held(machine, point, base) or _is_on_circle(machine, point, base):
                 break
             yield between("rod", "massless rod", base, point, item.spans, machine.columns)
             point = base
+
+
+def _is_on_circle(
+    machine: Machine,
+    point: fx.FlatExpression,
+    center: fx.FlatExpression,
+    residual: fx.FlatExpression | None = None,
+) -> bool:
+    """Does a circle drawn about the center hold the point, as a wire holds a bead? The distance d of the two is the
+    radius r at all positions, else a residual that holds it is in proportion to d - r or to d^2 - r^2."""
+    way = fx.Norm(fx.Binary("-", point, center), "circle")
+    about = places(machine, center)
+    for drawing in machine.flat.drawings:
+        radius = dict(drawing.arguments).get("radius")
+        if drawing.shape != "circle" or radius is None or isinstance(radius, str) or about is None:
+            continue
+        [anchor] = drawing.anchors
+        own = places(machine, fx.FrameOrigin(anchor) if isinstance(anchor, str) else anchor)
+        if own is None or np.abs(own - about).max() > HELD:
+            continue
+        d, r = (np.array([number(at, each) for at in machine.positions]) for each in (way, radius))
+        if residual is None:
+            laws = [d - r]
+        else:
+            held = np.array([number(at, residual) for at in machine.positions])
+            laws = [held * each[0] - held[0] * each for each in (d - r, d**2 - r**2)]
+        if any(np.abs(law).max() <= HELD for law in laws):
+            return True
+    return False
 
 
 def arms(machine: Machine) -> Iterator[Shape]:

@@ -53,6 +53,19 @@ def test_rods_go_down_to_the_world() -> None:
     assert kinds(found) == {"mass": 2, "rod": 2}
 
 
+def test_a_circle_holds_its_bead_without_a_rod() -> None:
+    """Of one coordinate or of two with a constraint, by squares or by a norm; other circles hold nothing."""
+    for own in (
+        PENDULUM,
+        "coordinate Length x, y(start = -2 m); mass 1 kg at {x, y}; constraint wire: x^2 + y^2 = (2 m)^2;",
+        "coordinate Length x, y(start = -2 m); mass 1 kg at {x, y}; constraint wire: norm({x, y, 0}) = 2 m;",
+    ):
+        assert kinds(scene(own + "draw circle(radius = 2 m) at world.origin;")) == {"mass": 1, "circle": 1}
+        for other in ("circle(radius = 1 m) at world.origin", "circle(radius = 2 m) at {1 m, 0}"):
+            found = kinds(scene(f"{own} draw {other};"))
+            assert found["rod"] + found["rope"] == 1
+
+
 def test_what_is_drawn_takes_the_place_of_what_follows() -> None:
     assert kinds(scene(PENDULUM + "draw sphere(radius = 10 cm) at P;")) == {"sphere": 1, "rod": 1}
     assert kinds(scene(PENDULUM + "draw rod from world.origin to P;")) == {"mass": 1, "rod": 1}
