@@ -303,8 +303,8 @@ def arms(machine: Machine) -> Iterator[Shape]:
 
 def _written(flat: fm.FlatModel) -> Iterator[str]:
     """Frames that stand in the text of the `draw` statements on them, without a name: `on F.move(r)`."""
-    frames = {item.name: item.spans[0] for item in flat.named if isinstance(item, fm.Frame)}
-    for drawing in flat.drawings:
+    frames = {item.name: item.spans[0] for item in flat.named if isinstance(item, fm.Frame) and item.spans}
+    for drawing in (each for each in flat.drawings if each.spans):
         whole = drawing.spans[0]
         for anchor in drawing.anchors:
             if isinstance(anchor, str) and anchor in frames:
