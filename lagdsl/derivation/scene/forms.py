@@ -106,7 +106,10 @@ def _turning_arrow(around: int) -> Floats:
     """Three quarters of a ring, with a tip: about z by the right-hand rule."""
     tip = prism(0.2 * _circle(12), 0.0, 0.5, 0.001) @ np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
     head = _turned(np.asarray(tip[:, ::-1] + np.array([1.0, -0.1, 0.0])), 1.5 * np.pi)
-    return np.concatenate([_torus(0.06, around, 0.75), head])
+    angles = np.linspace(0.0, 2.0 * np.pi, _TUBE + 1)
+    ring = np.stack([1.0 + 0.06 * np.cos(angles), 0.0 * angles, 0.06 * np.sin(angles)], axis=-1)
+    begin = np.stack([np.broadcast_to([1.0, 0.0, 0.0], ring[1:].shape), ring[:-1], ring[1:], ring[1:]], axis=1)
+    return np.concatenate([_torus(0.06, around, 0.75), begin, _turned(begin[:, ::-1], 1.5 * np.pi), head])
 
 
 def _cart_wheels() -> Floats:
