@@ -7,6 +7,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from lagdsl.algebra.graph.evaluate import evaluate
+from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.occurrence import occurrences
 from lagdsl.algebra.graph.tape import Tape
 from lagdsl.derivation.program.program import Layout, Program
@@ -37,16 +38,14 @@ class ProgramFunctions:
     def restricted(self, rows: list[int]) -> ProgramFunctions:
         """The same with all other rows of the position constraints, and of J there, zero."""
         program, kept = self.program, set(rows)
-        zero = program.graph.zero
         definition = program.function("position_constraint")
         count = max(len(program.layout.constraints), 1)
         blocks = []
         for block in definition.results:
-            width = len(block.elements) // count
-            elements = tuple(
-                node if index // max(width, 1) in kept else zero for index, node in enumerate(block.elements)
-            )
-            blocks.append(replace(block, elements=elements))
+            width = max(block.size // count, 1)
+            places = block.places if block.is_sparse else range(block.size)
+            own = zip(places, block.nodes, strict=True)
+            blocks.append(block.with_nodes([node if place // width in kept else ZERO for place, node in own]))
         changed = replace(definition, results=tuple(blocks))
         functions = tuple(changed if f is definition else f for f in program.functions)
         return ProgramFunctions(replace(program, functions=functions))
@@ -58,7 +57,7 @@ class ProgramFunctions:
         definition = self.program.function(function)
         tape = self._tapes.get(function)
         if tape is None:
-            roots = [node for block in definition.results for node in block.elements]
+            roots = [node for block in definition.results for node in block.nodes]
             tape = self._tapes[function] = Tape(self.program.graph, roots)
         values = tape(
             {
@@ -68,8 +67,13 @@ class ProgramFunctions:
         )
         blocks, first = [], 0
         for block in definition.results:
-            blocks.append(values[first : first + len(block.elements)].reshape(block.shape))
-            first += len(block.elements)
+            own = values[first : first + len(block.nodes)]
+            first += len(block.nodes)
+            if block.is_sparse:
+                whole = np.zeros(block.size)
+                whole[list(block.places)] = own
+                own = whole
+            blocks.append(own.reshape(block.shape))
         return tuple(blocks)
 
     def _mass_by_columns(self, *state: Floats | float) -> Floats:
