@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import field, replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from lagdsl.algebra.graph.evaluate import evaluate
 from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.occurrence import occurrences
 from lagdsl.algebra.graph.tape import Tape
-from lagdsl.derivation.program.program import Layout, Program
+from lagdsl.derivation.program.program import Block, Layout, Program
 from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -54,19 +55,28 @@ class ProgramFunctions:
         """Result blocks of `function`; what is not a number comes out as nan or inf."""
         if function == "mass_matrix" and not self.program.has(function):
             return (self._mass_by_columns(*arguments),)
-        definition = self.program.function(function)
-        tape = self._tapes.get(function)
+        return self._results(function, self.program.function(function).results, *arguments)
+
+    def result(self, function: str, number: int, *arguments: Floats | float) -> Floats:
+        """One of its result blocks alone."""
+        (found,) = self._results(f"{function} {number}", (self.program.function(function).results[number],), *arguments)
+        return found
+
+    def _results(self, name: str, results: Sequence[Block], *arguments: Floats | float) -> tuple[Floats, ...]:
+        """These blocks of the function whose name begins so, by the tape of that name."""
+        tape = self._tapes.get(name)
         if tape is None:
-            roots = [node for block in definition.results for node in block.nodes]
-            tape = self._tapes[function] = Tape(self.program.graph, roots)
+            tape = Tape(self.program.graph, [node for block in results for node in block.nodes])
+            self._tapes[name] = tape
+        groups = self.program.function(name.partition(" ")[0]).arguments
         values = tape(
             {
                 group: argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
-                for group, argument in zip(definition.arguments, arguments, strict=True)
+                for group, argument in zip(groups, arguments, strict=True)
             }
         )
         blocks, first = [], 0
-        for block in definition.results:
+        for block in results:
             own = values[first : first + len(block.nodes)]
             first += len(block.nodes)
             if block.is_sparse:

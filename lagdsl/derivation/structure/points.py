@@ -110,10 +110,17 @@ class Geometry:
 
     def position(self, q: Floats) -> tuple[Floats, Floats]:
         """phi (nc,) and J (nc, nq), in the branches that relations have there."""
-        phi, jacobian = self.functions.evaluate(
-            "position_constraint", self.t, q, self.qd, self.z, self.u, self._branches(q), self.p
-        )
+        phi, jacobian = self.functions.evaluate("position_constraint", *self._arguments(q))
         return phi, jacobian
+
+    def residuals(self, q: Floats) -> Floats:
+        """phi (nc,) alone."""
+        if isinstance(self.functions, ProgramFunctions):
+            return self.functions.result("position_constraint", 0, *self._arguments(q))
+        return self.position(q)[0]
+
+    def _arguments(self, q: Floats) -> tuple[Floats | float, ...]:
+        return self.t, q, self.qd, self.z, self.u, self._branches(q), self.p
 
     def _branches(self, q: Floats) -> Floats:
         """The discretes, relations as they stand at q. One that depends on others stands after them."""
