@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from lagdsl.algebra.graph import Graph, Group, Op
 from lagdsl.algebra.graph.differentiate import Tangent, jacobian
 from lagdsl.derivation.program.functions import DIRECTIONS, SIGNATURES, SOLVED_DIRECTIONS
-from lagdsl.derivation.program.program import Block, Function, Layout, Program, Slot
+from lagdsl.derivation.program.program import Block, Function, Layout, Program, Slot, whole_block
 
 _VARIABLE = {
     Group.DIRECTION_Q: Group.Q,
@@ -47,7 +47,7 @@ def program(sample: Sample) -> Program:
     q, qd, qdd = (g.symbols(group, n) for group in (Group.Q, Group.QD, Group.QDD))
     m = len(sample.phi)
     lam = g.symbols(Group.LAMBDA, m)
-    rows = jacobian(g, sample.phi, q)
+    rows = [[row.get(j, g.zero) for j in range(n)] for row in jacobian(g, sample.phi, q)]
     velocity = Tangent(g, (Group.Q,), lambda symbol: g.symbol(Group.QD, g.b[symbol]))
     rate = [velocity.of(x) for x in sample.phi]
     gamma = [g.negate(velocity.of(x)) for x in rate]
@@ -58,7 +58,7 @@ def program(sample: Sample) -> Program:
     start = [g.constant(x) for x in sample.start_q or (0.0,) * n]
 
     def blocks(*arrays: tuple[Sequence[int], tuple[int, ...]]) -> tuple[Block, ...]:
-        return tuple(Block(name=f"r{i}", shape=s, elements=tuple(a)) for i, (a, s) in enumerate(arrays))
+        return tuple(whole_block(f"r{i}", s, tuple(a)) for i, (a, s) in enumerate(arrays))
 
     flat_mass = [x for row in sample.mass for x in row]
     flat_rows = [x for row in rows for x in row]

@@ -9,7 +9,7 @@ from choice import ALL, chosen
 
 from lagdsl.algebra.graph.operation import Op
 from lagdsl.derivation.program.functions import STATE
-from lagdsl.derivation.program.program import Program
+from lagdsl.derivation.program.program import Program, whole_block
 from lagdsl.engines.runtime.engines.broadcast import BatchEngine
 from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
@@ -46,7 +46,7 @@ def without_dense(program: Program) -> Program:
     graph = program.graph
     t = graph.unary(Op.SQRT, graph.constant(-1.0))
     blocks = program.function("dynamics").results
-    nothing = tuple(replace(block, elements=(t,) * len(block.elements)) for block in blocks)
+    nothing = tuple(whole_block(block.name, block.shape, (t,) * block.size) for block in blocks)
     return replace(
         program,
         functions=tuple(replace(f, results=nothing) if f.name == "dynamics" else f for f in program.functions),

@@ -15,7 +15,7 @@ from lagdsl.algebra.eliminate.redundant_multipliers import RedundantMultipliers,
 from lagdsl.algebra.eliminate.rows import Rows, Side, is_multiplier, multiplier_of, velocity_of
 from lagdsl.algebra.eliminate.steps import Pivoted, Steps, solve_steps, steps_of
 from lagdsl.algebra.eliminate.weightless import Reduced, reduce, reduced_biases, shares
-from lagdsl.algebra.graph.graph import Graph
+from lagdsl.algebra.graph.graph import ZERO, Graph
 from lagdsl.foundation.record import record
 
 # The composite order costs the square of the depth at least; beyond this many rates it never won.
@@ -47,10 +47,17 @@ class Factor:
 
 @record(kw_only=True)
 class Response:
-    """Accelerations by rate, and multipliers of rows that are not kept by index, for one right-hand side."""
+    """Accelerations of `rates`, by rate those `moved` that are not identically zero, and multipliers of rows that are
+    not kept by index, for one right-hand side."""
 
-    accelerations: list[int]
+    rates: Sequence[int]
+    moved: dict[int, int]
     multipliers: dict[int, int]
+
+    @property
+    def accelerations(self) -> list[int]:
+        """All, in the order of the rates."""
+        return [self.moved.get(rate, ZERO) for rate in self.rates]
 
 
 @record(kw_only=True)
@@ -107,8 +114,10 @@ def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Respons
         given[velocity_of(index)] = graph.multiply(weight, along.get(multiplier_of(index), graph.zero))
     known = solve_steps(graph, factor.steps, given, budget or Budget(graph, None))
     multipliers = {row.index: known.get(multiplier_of(row.index), graph.zero) for row in rows.solved}
+    symbols = ((variable, node) for variable, node in known.items() if variable >= 0 and not graph.operands[variable])
     return Response(
-        accelerations=[known.get(rate, graph.zero) for rate in factor.rates],
+        rates=factor.rates,
+        moved={rate: node for rate, node in symbols if node != ZERO},
         multipliers=shortest(graph, factor.redundant_multipliers, multipliers),
     )
 
@@ -118,7 +127,7 @@ def _solve(form: AccelerationForm, factor: Factor, budget: Budget) -> Solution:
     biases = {row.index: row.bias for row in (*rows.solved, *rows.kept)}
     own = respond(factor, Side(forces=form.forces, biases=biases), budget)
     along = [respond(factor, Side(forces=row.terms), budget) for row in rows.kept]
-    roots = [node for found in (own, *along) for node in (*found.accelerations, *found.multipliers.values())]
+    roots = [node for found in (own, *along) for node in (*found.moved.values(), *found.multipliers.values())]
     return Solution(factor=factor, own=own, along=along, flops=flops(form.graph, roots))
 
 

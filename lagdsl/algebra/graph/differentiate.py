@@ -174,13 +174,16 @@ def push(graph: Graph, node: int, tangents: Mapping[int, int]) -> int:
     return total
 
 
-def jacobian(graph: Graph, roots: Sequence[int], symbols: Sequence[int]) -> list[list[int]]:
-    """d(roots)/d(symbols), one reverse sweep per root over what that root depends on; row by row."""
+def jacobian(graph: Graph, roots: Sequence[int], symbols: Sequence[int]) -> list[dict[int, int]]:
+    """d(roots)/d(symbols), one reverse sweep per root over what that root depends on; row by row, by column, ascending,
+    without what is identically zero."""
     groups = tuple({graph.group(symbol): None for symbol in symbols})
+    columns = {symbol: column for column, symbol in enumerate(symbols)}
     rows = []
     for root in roots:
-        row = adjoints(graph, {root: graph.one}, groups)
-        rows.append([row.get(symbol, graph.zero) for symbol in symbols])
+        found = adjoints(graph, {root: graph.one}, groups)
+        row = {columns[symbol]: node for symbol, node in found.items() if symbol in columns and node != graph.zero}
+        rows.append(dict(sorted(row.items())))
     return rows
 
 

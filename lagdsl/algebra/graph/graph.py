@@ -20,6 +20,10 @@ _EVEN = (Op.COS, Op.COSH, Op.ABS)
 _CONSTANT, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.CONSTANT, Op.NEGATE, Op.ADD, Op.SUBTRACT, Op.MULTIPLY
 
 
+# The node of 0.0 in every graph.
+ZERO = 0
+
+
 class Graph:
     """Nodes as parallel lists, indexed by id: `op`, and arguments `a`, `b`, `c` (ids; -1 where absent).
 
@@ -37,6 +41,7 @@ class Graph:
         self.value: dict[int, float] = {}
         self._index: list[dict[Hashable, int]] = [{} for _ in range(max(Op) + 1)]
         self.zero = self.constant(0.0)
+        assert self.zero == ZERO
         self.one = self.constant(1.0)
 
     def __len__(self) -> int:

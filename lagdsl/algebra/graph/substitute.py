@@ -19,21 +19,21 @@ class Substitution:
 
     def of(self, root: int) -> int:
         graph, known, mask = self._graph, self._known, self._mask
+        groups, operands = graph.groups, graph.operands
         stack = [root]
         while stack:
             node = stack[-1]
-            if node in known or not graph.groups[node] & mask:
-                known.setdefault(node, node)
+            if node in known or not groups[node] & mask:
                 stack.pop()
                 continue
-            arguments = graph.arguments(node)
-            missing = [x for x in arguments if x not in known]
-            if missing:
-                stack += missing
-                continue
-            known[node] = graph.rebuild(node, [known[x] for x in arguments])
-            stack.pop()
-        return known[root]
+            before = len(stack)
+            for x in operands[node]:
+                if x not in known and groups[x] & mask:
+                    stack.append(x)
+            if len(stack) == before:
+                known[node] = graph.rebuild(node, [known.get(x, x) for x in operands[node]])
+                stack.pop()
+        return known.get(root, root)
 
     def of_all(self, roots: Iterable[int]) -> list[int]:
         return [self.of(root) for root in roots]

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from lagdsl.algebra.graph.differentiate import jacobian
+from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.substitute import Substitution
 from lagdsl.derivation.mechanics.force_balance import force_balance
 from lagdsl.derivation.mechanics.kinematics.vectors import Vector
@@ -70,8 +71,8 @@ class Provider:
                 return angular_momentum(self._lowering, chosen, self._lowering.vector(about))
             case flat.AdmissibleMotion(point, coordinate):
                 moved = symbols.q[symbols.coordinate_index[coordinate]]
-                (x,), (y,), (z,) = jacobian(self._lowering.graph, self._lowering.vector(point), [moved])
-                return (x, y, z)
+                x, y, z = jacobian(self._lowering.graph, self._lowering.vector(point), [moved])
+                return (x.get(0, ZERO), y.get(0, ZERO), z.get(0, ZERO))
         assert_never(expression)
 
     def _force_balance(self, balance: flat.ForceBalance) -> int:

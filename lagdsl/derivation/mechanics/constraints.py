@@ -37,18 +37,9 @@ def constraint_rows(lowering: Lowering, flat: FlatModel) -> Rows:
     return Rows(tuple(residuals), tuple(levels))
 
 
-def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> list[list[int]]:
-    """J: d(phi)/dq of rows of position level, d(residual)/d(qd) of rows of velocity level."""
-    matrix = []
-    for entries in _entries(graph, rows, directions):
-        matrix.append([graph.zero] * len(directions.rates))
-        for column, node in entries.items():
-            matrix[-1][column] = node
-    return matrix
-
-
-def _entries(graph: Graph, rows: Rows, directions: Directions) -> list[dict[int, int]]:
-    """J row by row, without what is identically zero, by column, ascending."""
+def constraint_jacobian(graph: Graph, rows: Rows, directions: Directions) -> list[dict[int, int]]:
+    """J: d(phi)/dq of rows of position level, d(residual)/d(qd) of rows of velocity level; row by row, by column,
+    ascending, without what is identically zero."""
     columns = [{symbol: j for j, symbol in enumerate(each)} for each in (directions.positions, directions.rates)]
     groups = (directions.position_group, directions.rate_group)
     found = []
@@ -112,7 +103,7 @@ def with_baumgarte_terms(lowering: Lowering, rows: Rows, plain: list[Row], rate:
 
 def rows_of(lowering: Lowering, rows: Rows, directions: Directions) -> list[Row]:
     """J qdd = gamma row by row, as elimination takes them."""
-    matrix = _entries(lowering.graph, rows, directions)
+    matrix = constraint_jacobian(lowering.graph, rows, directions)
     return [
         Row(index=index, terms={directions.rates[column]: term for column, term in terms.items()}, bias=gamma)
         for index, (terms, gamma) in enumerate(zip(matrix, bias(lowering, rows), strict=True))

@@ -14,7 +14,7 @@ from lagdsl.algebra.eliminate.solve import respond
 from lagdsl.derivation.mechanics.eliminated import Eliminated
 from lagdsl.derivation.mechanics.equations import Equations
 from lagdsl.derivation.program.functions import OPTIONAL
-from lagdsl.derivation.program.program import Block, Function
+from lagdsl.derivation.program.program import Function, number_block, vector_block
 
 # The dense solution of fewer coordinates takes no longer than a step.
 _FEW = 8
@@ -29,8 +29,8 @@ def correction(equations: Equations, found: Eliminated) -> tuple[Function, ...]:
     response = respond(factor, Side(biases={index: graph.negate(node) for index, node in enumerate(residuals)}))
     multipliers = [response.multipliers.get(index, graph.zero) for index in range(len(residuals))]
     blocks = (
-        Block(name="change", shape=(len(factor.rates),), elements=tuple(response.accelerations)),
-        Block(name="lam", shape=(len(residuals),), elements=tuple(multipliers)),
-        Block(name="pivot", shape=(), elements=(found.pivot,)),
+        vector_block("change", response.accelerations),
+        vector_block("lam", multipliers),
+        number_block("pivot", found.pivot),
     )
     return (Function(name="correction", arguments=OPTIONAL["correction"], results=blocks),)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import chain, islice
+from collections.abc import Mapping, Sequence
+from itertools import islice
 
 from lagdsl.algebra.eliminate.count import flops
 from lagdsl.algebra.eliminate.form import AccelerationForm, NotApplicable
@@ -17,7 +17,7 @@ from lagdsl.derivation.mechanics.lowering.symbols import Directions
 from lagdsl.derivation.program.functions import OPTIONAL
 from lagdsl.derivation.program.passes.fuse import exact
 from lagdsl.derivation.program.passes.reassociate import reassociate
-from lagdsl.derivation.program.program import Block, Function
+from lagdsl.derivation.program.program import Block, Function, matrix_block, number_block, vector_block
 from lagdsl.derivation.structure.redundant_multipliers import (
     choose_rows,
     least_pivot,
@@ -72,7 +72,7 @@ def eliminate(
     except CompilationFailed:  # an input has no derivative that only this form asks for
         return None
     blocks = _blocks(solution, m, pivot)
-    cost = flops(graph, [node for block in blocks for node in block.elements])
+    cost = flops(graph, [node for block in blocks for node in block.nodes])
     if cost + _delassus(n, m, len(solution.along)) >= most:
         return None
     function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=_reassociated(graph, blocks))
@@ -106,28 +106,25 @@ def _delassus(n: int, m: int, kept: int) -> int:
 
 def _blocks(solution: Solution, m: int, pivot: int) -> tuple[Block, ...]:
     factor, own, along = solution.factor, solution.own, solution.along
-    n, nk, zero = len(factor.rates), len(along), factor.graph.zero
-    kept = factor.rows.kept
+    n, zero, kept = len(factor.rates), factor.graph.zero, factor.rows.kept
+    columns = {rate: column for column, rate in enumerate(factor.rates)}
+
+    def by_column(row: Mapping[int, int]) -> dict[int, int]:
+        return {columns[rate]: node for rate, node in row.items()}
+
     return (
-        _block("a", (n,), [own.accelerations]),
-        _block("l", (m,), [[own.multipliers.get(row, zero) for row in range(m)]]),
-        _block("Y", (nk, n), [found.accelerations for found in along]),
-        _block("K", (nk, m), [[found.multipliers.get(row, zero) for row in range(m)] for found in along]),
-        _block("J", (nk, n), [[row.terms.get(rate, zero) for rate in factor.rates] for row in kept]),
-        _block("gamma", (nk,), [[row.bias for row in kept]]),
-        _block("pivot", (), [[pivot]]),
+        vector_block("a", own.accelerations),
+        vector_block("l", [own.multipliers.get(row, zero) for row in range(m)]),
+        matrix_block("Y", [by_column(found.moved) for found in along], n),
+        matrix_block("K", [found.multipliers for found in along], m),
+        matrix_block("J", [by_column(row.terms) for row in kept], n),
+        vector_block("gamma", [row.bias for row in kept]),
+        number_block("pivot", pivot),
     )
 
 
 def _reassociated(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
     """The same values, sooner; what the last one, the check of pivots, compares is nothing that must be exact."""
-    kept = exact(graph, [node for block in blocks[:-1] for node in block.elements])
-    nodes = iter(reassociate(graph, [node for block in blocks for node in block.elements], kept))
-    return tuple(
-        Block(name=block.name, shape=block.shape, elements=tuple(islice(nodes, len(block.elements))))
-        for block in blocks
-    )
-
-
-def _block(name: str, shape: tuple[int, ...], rows: Sequence[Sequence[int]]) -> Block:
-    return Block(name=name, shape=shape, elements=tuple(chain.from_iterable(rows)))
+    kept = exact(graph, [node for block in blocks[:-1] for node in block.nodes])
+    nodes = iter(reassociate(graph, [node for block in blocks for node in block.nodes], kept))
+    return tuple(block.with_nodes(list(islice(nodes, len(block.nodes)))) for block in blocks)

@@ -24,7 +24,7 @@ from lagdsl.derivation.mechanics.lagrange.inverse import bias_forces
 from lagdsl.derivation.mechanics.lagrange.lagrange import Dynamics, mass_matrix, parts
 from lagdsl.derivation.mechanics.lagrange.loads import VirtualWork
 from lagdsl.derivation.mechanics.lagrange.through_states import ThroughStates
-from lagdsl.derivation.program.program import Block
+from lagdsl.derivation.program.program import Block, matrix_block, vector_block
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.language.flat.model import FlatModel
 
@@ -39,9 +39,9 @@ def equation_terms(equations: Equations) -> tuple[Block, ...]:
     size = len(symbols.q)
     columns = [_column(graph, inertial, symbols.qd, k) for k in range(size)]
     return (
-        Block(name="C", shape=(size, size), elements=tuple(columns[k][j] for j in range(size) for k in range(size))),
-        Block(name="g", shape=(size,), elements=tuple(gravity)),
-        Block(name="b", shape=(size,), elements=tuple(map(graph.add, inertial, gravity))),
+        matrix_block("C", list(zip(*columns, strict=True)), size),
+        vector_block("g", gravity),
+        vector_block("b", list(map(graph.add, inertial, gravity))),
     )
 
 

@@ -69,7 +69,7 @@ def _momentum_rate(equations: Equations, index: int) -> Iterator[int]:
     graph, terms = equations.graph, equations.dynamics.terms
     yield graph.add(graph.subtract(terms.load[index], terms.drag[index]), terms.push[index])
     for row in constraint_jacobian(graph, equations.rows, equations.symbols.directions):
-        yield row[index]
+        yield row.get(index, graph.zero)
 
 
 def _excess_of_energy(equations: Equations) -> Iterator[int]:
@@ -89,4 +89,5 @@ def _jacobi_rate(equations: Equations) -> Iterator[int]:
     yield graph.dot([graph.subtract(load, drag) for load, drag in forces], symbols.qd)
     jacobian = constraint_jacobian(graph, equations.rows, symbols.directions)
     for residual, row in zip(velocity_residuals(equations.lowering, equations.rows), jacobian, strict=True):
-        yield graph.subtract(residual, graph.dot(row, symbols.qd))
+        rates = [symbols.qd[column] for column in row]
+        yield graph.subtract(residual, graph.dot(list(row.values()), rates))

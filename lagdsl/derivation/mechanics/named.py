@@ -69,9 +69,9 @@ def _in_time(program: Program, values: Sequence[int]) -> list[Block]:
         *(block for name in ("state_derivative", "output", "energies") for block in program.function(name).results),
         vector_block("d", values),
     ]
-    return [replace(block, name=f"d{block.name}", elements=tuple(tangent.of_all(block.elements))) for block in blocks]
+    return [replace(block, name=f"d{block.name}").with_nodes(tangent.of_all(block.nodes)) for block in blocks]
 
 
 def _block_along(program: Program, block: Block, groups: tuple[Group, ...]) -> Block:
-    elements = directional(program.graph, block.elements, groups)
-    return Block(name=f"d{block.name}", shape=block.shape, elements=tuple(elements))
+    nodes = directional(program.graph, block.nodes, groups)
+    return replace(block, name=f"d{block.name}").with_nodes(nodes)

@@ -36,7 +36,7 @@ def cost_of_forming(program: Program) -> int:
     def cost(*names: str) -> int:
         return flops(
             program.graph,
-            [node for name in names for block in program.function(name).results for node in block.elements],
+            [node for name in names for block in program.function(name).results for node in block.nodes],
         )
 
     if program.has("dynamics"):

@@ -11,7 +11,7 @@ from lagdsl.algebra.eliminate.rows import Side
 from lagdsl.algebra.eliminate.solve import respond
 from lagdsl.derivation.mechanics.eliminated import Eliminated
 from lagdsl.derivation.program.functions import OPTIONAL
-from lagdsl.derivation.program.program import Block, Function
+from lagdsl.derivation.program.program import Block, Function, number_block, vector_block
 
 
 def acceleration_tangent(found: Eliminated, motion: Block, rows: Block) -> Function:
@@ -24,9 +24,9 @@ def acceleration_tangent(found: Eliminated, motion: Block, rows: Block) -> Funct
     multipliers = [response.multipliers.get(index, graph.zero) for index in range(len(rows.elements))]
     kept = [rows.elements[row.index] for row in factor.rows.kept]
     blocks = (
-        Block(name="dqdd", shape=motion.shape, elements=tuple(response.accelerations)),
-        Block(name="dlam", shape=rows.shape, elements=tuple(multipliers)),
-        Block(name=rows.name, shape=(len(kept),), elements=tuple(kept)),
-        Block(name="pivot", shape=(), elements=(found.pivot,)),
+        vector_block("dqdd", response.accelerations),
+        vector_block("dlam", multipliers),
+        vector_block(rows.name, kept),
+        number_block("pivot", found.pivot),
     )
     return Function(name="acceleration_tangent", arguments=OPTIONAL["acceleration_tangent"], results=blocks)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lagdsl.derivation.mechanics.lowering.lowering import Lowering
 from lagdsl.derivation.program.functions import OPTIONAL
-from lagdsl.derivation.program.program import Block, Function
+from lagdsl.derivation.program.program import Function, vector_block
 from lagdsl.language.flat.model import FlatModel
 
 
@@ -20,5 +20,5 @@ def turn_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
         "turn": [lowering.scalar(turn) for _, _, turn in turns],
         "entry": [lowering.graph.constant(float(place)) for place, _, _ in turns],
     }
-    results = tuple(Block(name=name, shape=(len(nodes),), elements=tuple(nodes)) for name, nodes in blocks.items())
+    results = tuple(vector_block(name, nodes) for name, nodes in blocks.items())
     return (Function(name="turn", arguments=OPTIONAL["turn"], results=results),)

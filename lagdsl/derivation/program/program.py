@@ -6,12 +6,11 @@ its meaning; a backend is right if it computes the same numbers. No SymPy, no so
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import chain
+from collections.abc import Iterator, Mapping, Sequence
 from math import prod
 
 from lagdsl.algebra.eliminate.solve import Factor
-from lagdsl.algebra.graph.graph import Graph
+from lagdsl.algebra.graph.graph import ZERO, Graph
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.events import Kind
@@ -121,26 +120,82 @@ class Layout:
 
 @record(kw_only=True)
 class Block:
-    """One result array of a function: `elements` are node ids in row-major order of `shape`."""
+    """One result array of a function. `nodes` are ids of its elements in row-major order of `shape`: all of them or,
+    of a matrix, those that are not zero by themselves, which stand at `places`."""
 
     name: str
     shape: tuple[int, ...]
-    elements: tuple[int, ...]
+    nodes: tuple[int, ...]
+    places: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
-        assert len(self.elements) == prod(self.shape), self.name
+        assert len(self.nodes) == (len(self.places) if self.is_sparse else self.size), self.name
+
+    @property
+    def is_sparse(self) -> bool:
+        """True if `places` tell where the nodes stand."""
+        return len(self.shape) == 2
+
+    @property
+    def size(self) -> int:
+        """Number of elements."""
+        return prod(self.shape)
+
+    @property
+    def elements(self) -> tuple[int, ...]:
+        """All of them: of a matrix made anew, zeros included."""
+        if not self.is_sparse:
+            return self.nodes
+        whole = [ZERO] * self.size
+        for place, node in zip(self.places, self.nodes, strict=True):
+            whole[place] = node
+        return tuple(whole)
+
+    @property
+    def entries(self) -> Iterator[tuple[int, int]]:
+        """Places, ascending, and nodes of the elements that are not zero by themselves."""
+        found = zip(self.places, self.nodes, strict=True) if self.is_sparse else enumerate(self.nodes)
+        return ((place, node) for place, node in found if node != ZERO)
+
+    def with_nodes(self, nodes: Sequence[int]) -> Block:
+        """Others in the place of its nodes."""
+        if not self.is_sparse:
+            return Block(name=self.name, shape=self.shape, nodes=tuple(nodes))
+        return _sparse(self.name, self.shape, dict(zip(self.places, nodes, strict=True)))
 
 
 def number_block(name: str, node: int) -> Block:
-    return Block(name=name, shape=(), elements=(node,))
+    return Block(name=name, shape=(), nodes=(node,))
 
 
 def vector_block(name: str, nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=(len(nodes),), elements=tuple(nodes))
+    return Block(name=name, shape=(len(nodes),), nodes=tuple(nodes))
 
 
-def matrix_block(name: str, rows: Sequence[Sequence[int]], columns: int) -> Block:
-    return Block(name=name, shape=(len(rows), columns), elements=tuple(chain.from_iterable(rows)))
+def matrix_block(name: str, rows: Sequence[Mapping[int, int] | Sequence[int]], columns: int) -> Block:
+    """Of rows by column, or with all their elements."""
+    found: dict[int, int] = {}
+    for i, row in enumerate(rows):
+        for j, node in sorted(row.items()) if isinstance(row, Mapping) else enumerate(row):
+            if node != ZERO:
+                found[i * columns + j] = node
+    return _sparse(name, (len(rows), columns), found)
+
+
+def whole_block(name: str, shape: tuple[int, ...], elements: Sequence[int]) -> Block:
+    """Of all elements."""
+    assert len(elements) == prod(shape), name
+    if len(shape) == 2:
+        return _sparse(name, shape, dict(enumerate(elements)))
+    return Block(name=name, shape=shape, nodes=tuple(elements))
+
+
+def _sparse(name: str, shape: tuple[int, ...], found: Mapping[int, int]) -> Block:
+    """`found` by place, ascending."""
+    kept = [(place, node) for place, node in found.items() if node != ZERO]
+    return Block(
+        name=name, shape=shape, nodes=tuple(node for _, node in kept), places=tuple(place for place, _ in kept)
+    )
 
 
 @record(kw_only=True)

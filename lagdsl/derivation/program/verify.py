@@ -65,7 +65,7 @@ def _verify_shapes(function: Function, lengths: Mapping[str, int]) -> None:
 
 def _verify_symbols(function: Function, program: Program) -> None:
     graph = program.graph
-    roots = [node for block in function.results for node in block.elements]
+    roots = [node for block in function.results for node in block.nodes]
     _require(all(0 <= node < len(graph) for node in roots), f"a result of {function.name} is no node")
     for node in graph.live(roots):
         if graph.op[node] is Op.SYMBOL:

@@ -90,10 +90,10 @@ def _report_switched(flat: FlatModel, program: Program, directions: Directions, 
     """E0503 where a row that comes and goes acts along a direction: the forces alone do not determine the motion."""
     moved = np.flatnonzero(np.any(directions.columns != 0.0, axis=1)).tolist()
     (_, jacobian) = program.function("velocity_constraint").results
-    n = len(flat.coordinates)
+    n, there = len(flat.coordinates), {place for place, _ in jacobian.entries}
     for item in located(flat):
         if comes_and_goes(item.constraint):
-            held = [j for row in item.rows for j in moved if jacobian.elements[row * n + j] != program.graph.zero]
+            held = [j for row in item.rows for j in moved if row * n + j in there]
             if held:
                 why = f"{grammatical_subject(flat, item.constraint)} acts on it, which comes and goes"
                 report_direction(flat, held[0], why, sink)

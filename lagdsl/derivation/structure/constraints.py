@@ -109,7 +109,7 @@ def _endless(space: Geometry, found: Closest, rows: list[int]) -> list[int]:
     if not np.any(np.abs(found.point - space.q) > _FAR * space.sizes):
         return []
     phi, jacobian = space.position(found.point)
-    moved = np.abs(space.position(space.q)[0]) > HOLDS * space.row_sizes
+    moved = np.abs(space.residuals(space.q)) > HOLDS * space.row_sizes
     steps = np.abs(phi) / np.linalg.norm(jacobian * space.sizes, axis=1)
     return [row for row in rows if moved[row] and steps[row] > _LONG_STEP]
 
@@ -118,7 +118,7 @@ def _report_endless(flat: FlatModel, space: Geometry, item: Located, found: Clos
     """E0602, or E0802 for a row such as x/(1 + x^2), where the search leads to the zero from small x only."""
     rows = list(item.rows)
     if _holds_elsewhere(flat, space, rows):
-        residual = float(np.max(np.abs(space.position(found.point)[0][rows])))
+        residual = float(np.max(np.abs(space.residuals(found.point)[rows])))
         text, name = f"{residual:.3g}{unit_suffix(item.constraint)}", item.constraint.name
         sink.report("E0802", place(item.constraint), notes=(ENDLESS,), residual=text, name=name)
     else:

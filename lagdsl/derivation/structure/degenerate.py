@@ -118,10 +118,12 @@ def _unforetold(space: Geometry, base: Floats, parts: Floats) -> Flags:
             direction = generator.standard_normal(len(base))
             direction /= max(float(np.max(np.abs(direction))), 1e-3)
             step = distance * space.sizes * direction
+            with np.errstate(invalid="ignore"):
+                ahead = jacobian @ step
             for sign in (1.0, -1.0):
-                change = space.position(base + sign * step)[0] - phi
+                change = space.residuals(base + sign * step) - phi
                 with np.errstate(invalid="ignore"):
-                    foretold = sign * (jacobian @ step)
+                    foretold = sign * ahead
                     unlike |= ~(np.abs(change - foretold) <= parts * np.maximum(np.abs(change), np.abs(foretold)))
         result &= unlike
     return result
@@ -133,13 +135,15 @@ def _slack(space: Geometry, base: Floats) -> Flags:
     steps = space.sizes * generator.standard_normal((_DIRECTIONS, len(base)))
     around = np.concatenate([steps, -steps])
     points = [base, *(base + far * step for far in _FAR for step in around)]
-    looked = [space.position(point) for point in points]
-    somewhere = np.logical_or.reduce([np.abs(phi) > 0.0 for phi, _ in looked])
-    result: Flags = np.zeros(len(looked[0][0]), dtype=np.bool_)
-    for point, (phi, jacobian) in zip(points, looked, strict=True):
-        still = somewhere & (phi == 0.0) & ~np.any(jacobian != 0.0, axis=1)
+    looked = [space.residuals(point) for point in points]
+    somewhere = np.logical_or.reduce([np.abs(phi) > 0.0 for phi in looked])
+    result: Flags = np.zeros(len(looked[0]), dtype=np.bool_)
+    for point, phi in zip(points, looked, strict=True):
+        still = somewhere & (phi == 0.0)
+        if np.any(still):
+            still &= ~np.any(space.position(point)[1] != 0.0, axis=1)
         for near in _NEAR if np.any(still) else ():
-            still &= np.logical_and.reduce([space.position(point + near * step)[0] == 0.0 for step in around])
+            still &= np.logical_and.reduce([space.residuals(point + near * step) == 0.0 for step in around])
         result |= still
     return result
 
@@ -168,7 +172,7 @@ def _follows(space: Geometry, base: Floats, row: int, rows: list[int]) -> bool:
         aside = base + _ASIDE * space.sizes * generator.standard_normal(len(base))
         reached = space.project(aside, others)
         if reached.size <= HOLDS:
-            phi = space.position(reached.point)[0]
+            phi = space.residuals(reached.point)
             if not abs(phi[row]) <= HOLDS * space.row_sizes[row]:
                 return False
     return bool(others)

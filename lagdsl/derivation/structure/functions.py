@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import field, replace
 
 import numpy as np
 
 from lagdsl.algebra.graph.evaluate import evaluate
+from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.occurrence import occurrences
 from lagdsl.algebra.graph.tape import Tape
-from lagdsl.derivation.program.program import Layout, Program
+from lagdsl.derivation.program.program import Block, Layout, Program
 from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -37,16 +39,14 @@ class ProgramFunctions:
     def restricted(self, rows: list[int]) -> ProgramFunctions:
         """The same with all other rows of the position constraints, and of J there, zero."""
         program, kept = self.program, set(rows)
-        zero = program.graph.zero
         definition = program.function("position_constraint")
         count = max(len(program.layout.constraints), 1)
         blocks = []
         for block in definition.results:
-            width = len(block.elements) // count
-            elements = tuple(
-                node if index // max(width, 1) in kept else zero for index, node in enumerate(block.elements)
-            )
-            blocks.append(replace(block, elements=elements))
+            width = max(block.size // count, 1)
+            places = block.places if block.is_sparse else range(block.size)
+            own = zip(places, block.nodes, strict=True)
+            blocks.append(block.with_nodes([node if place // width in kept else ZERO for place, node in own]))
         changed = replace(definition, results=tuple(blocks))
         functions = tuple(changed if f is definition else f for f in program.functions)
         return ProgramFunctions(replace(program, functions=functions))
@@ -55,21 +55,35 @@ class ProgramFunctions:
         """Result blocks of `function`; what is not a number comes out as nan or inf."""
         if function == "mass_matrix" and not self.program.has(function):
             return (self._mass_by_columns(*arguments),)
-        definition = self.program.function(function)
-        tape = self._tapes.get(function)
+        return self._results(function, self.program.function(function).results, *arguments)
+
+    def result(self, function: str, number: int, *arguments: Floats | float) -> Floats:
+        """One of its result blocks alone."""
+        (found,) = self._results(f"{function} {number}", (self.program.function(function).results[number],), *arguments)
+        return found
+
+    def _results(self, name: str, results: Sequence[Block], *arguments: Floats | float) -> tuple[Floats, ...]:
+        """These blocks of the function whose name begins so, by the tape of that name."""
+        tape = self._tapes.get(name)
         if tape is None:
-            roots = [node for block in definition.results for node in block.elements]
-            tape = self._tapes[function] = Tape(self.program.graph, roots)
+            tape = Tape(self.program.graph, [node for block in results for node in block.nodes])
+            self._tapes[name] = tape
+        groups = self.program.function(name.partition(" ")[0]).arguments
         values = tape(
             {
                 group: argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
-                for group, argument in zip(definition.arguments, arguments, strict=True)
+                for group, argument in zip(groups, arguments, strict=True)
             }
         )
         blocks, first = [], 0
-        for block in definition.results:
-            blocks.append(values[first : first + len(block.elements)].reshape(block.shape))
-            first += len(block.elements)
+        for block in results:
+            own = values[first : first + len(block.nodes)]
+            first += len(block.nodes)
+            if block.is_sparse:
+                whole = np.zeros(block.size)
+                whole[list(block.places)] = own
+                own = whole
+            blocks.append(own.reshape(block.shape))
         return tuple(blocks)
 
     def _mass_by_columns(self, *state: Floats | float) -> Floats:

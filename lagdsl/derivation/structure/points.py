@@ -110,10 +110,17 @@ class Geometry:
 
     def position(self, q: Floats) -> tuple[Floats, Floats]:
         """phi (nc,) and J (nc, nq), in the branches that relations have there."""
-        phi, jacobian = self.functions.evaluate(
-            "position_constraint", self.t, q, self.qd, self.z, self.u, self._branches(q), self.p
-        )
+        phi, jacobian = self.functions.evaluate("position_constraint", *self._state(q, self.qd, self._branches(q)))
         return phi, jacobian
+
+    def residuals(self, q: Floats) -> Floats:
+        """phi (nc,) alone."""
+        if isinstance(self.functions, ProgramFunctions):
+            return self.functions.result("position_constraint", 0, *self._state(q, self.qd, self._branches(q)))
+        return self.position(q)[0]
+
+    def _state(self, q: Floats, qd: Floats, w: Floats) -> tuple[Floats | float, ...]:
+        return self.t, q, qd, self.z, self.u, w, self.p
 
     def _branches(self, q: Floats) -> Floats:
         """The discretes, relations as they stand at q. One that depends on others stands after them."""
@@ -124,9 +131,7 @@ class Geometry:
         still, free = np.zeros(len(q)), np.zeros(len(layout.constraints))
         w = self.w
         for _ in range(int(np.count_nonzero(relations))):
-            (standing,) = self.functions.evaluate(
-                "standing", self.t, q, self.qd, self.z, self.u, w, self.p, still, free
-            )
+            (standing,) = self.functions.evaluate("standing", *self._state(q, self.qd, w), still, free)
             before, w = w, np.where(relations, standing, w)
             if np.array_equal(before, w):
                 break
@@ -134,18 +139,16 @@ class Geometry:
 
     def velocity(self, q: Floats, qd: Floats) -> tuple[Floats, Floats]:
         """J qd + b (nc,) and J (nc, nq)."""
-        residual, jacobian = self.functions.evaluate(
-            "velocity_constraint", self.t, q, qd, self.z, self.u, self.w, self.p
-        )
+        residual, jacobian = self.functions.evaluate("velocity_constraint", *self._state(q, qd, self.w))
         return residual, jacobian
 
     def mass(self, q: Floats, qd: Floats) -> Floats:
-        return self.functions.evaluate("mass_matrix", self.t, q, qd, self.z, self.u, self.w, self.p)[0]
+        return self.functions.evaluate("mass_matrix", *self._state(q, qd, self.w))[0]
 
     def mass_in_doubt(self, q: Floats, qd: Floats) -> Floats | None:
         """M, or None where it need not be formed: the equations are solved without it, and no pivot lost its digits."""
         if isinstance(self.functions, ProgramFunctions) and self.functions.by_columns:
-            found = self.functions.evaluate("elimination", self.t, q, qd, self.z, self.u, self.w, self.p)
+            found = self.functions.evaluate("elimination", *self._state(q, qd, self.w))
             if np.all(np.isfinite(found[0])) and found[-1] > _SAFE_PIVOT:
                 return None
         return self.mass(q, qd)
@@ -161,15 +164,12 @@ class Geometry:
             return phi[rows] / self.row_sizes[rows], jacobian[rows] * self.sizes / self.row_sizes[rows, None]
 
         found = descend(equations, q / self.sizes, connected_blocks=self.parts(rows))
-        return Minimizer(
-            point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows], size=found.size
-        )
+        return replace(found, point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows])
 
     def only(self, rows: list[int]) -> Geometry:
         """The same where nothing but these position rows is asked for: cheap if they are few."""
-        if isinstance(self.functions, ProgramFunctions):
-            return replace(self, functions=self.functions.restricted(rows))
-        return self
+        own = self.functions
+        return replace(self, functions=own.restricted(rows)) if isinstance(own, ProgramFunctions) else self
 
     def parts(self, rows: list[int]) -> Partition:
         """The independent parts of these rows."""

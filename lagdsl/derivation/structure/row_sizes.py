@@ -77,21 +77,32 @@ def _measured(looks: Sequence[Look], error: float, sizes: Floats) -> Measured:
     """J at each point, or how it changes there with an error of the numbers that enter."""
     natural, lengths, largest = [], [], None
     for look in looks:
-        entries = np.abs(look(error) - look(0.0) if error else look(0.0))
-        scaled = entries * sizes
-        natural.append(np.linalg.norm(scaled, axis=1))
-        lengths.append(_lengths(entries))
+        matrix = look(error) - look(0.0) if error else look(0.0)
+        rows, columns = np.nonzero(matrix)
+        entries = np.abs(matrix[rows, columns])
+        scaled = entries * sizes[columns]
+        natural.append(_roots_of_squares(rows, scaled, len(matrix)))
+        lengths.append(_lengths(rows, entries, len(matrix)))
+        if largest is None:
+            largest = np.zeros(matrix.shape)
         seen = np.where(np.isfinite(scaled), scaled, np.inf)
-        largest = seen if largest is None else np.maximum(largest, seen)
+        largest[rows, columns] = np.maximum(largest[rows, columns], seen)
     assert largest is not None
     return Measured(np.array(natural), np.array(lengths), largest)
 
 
-def _lengths(rows: Floats) -> Floats:
-    """Of rows (nc, nq) whose squares may be no numbers any more."""
-    largest = np.max(rows, axis=1, initial=0.0)
+def _roots_of_squares(rows: Indices, entries: Floats, count: int) -> Floats:
+    """Lengths (count,) of the rows in which these entries stand."""
+    with np.errstate(over="ignore"):
+        return np.sqrt(np.bincount(rows, weights=entries * entries, minlength=count))
+
+
+def _lengths(rows: Indices, entries: Floats, count: int) -> Floats:
+    """The same of rows whose squares may be no numbers any more."""
+    largest = np.zeros(count)
+    np.maximum.at(largest, rows, entries)
     unit = np.where((largest > 0.0) & np.isfinite(largest), largest, 1.0)
-    return np.asarray(unit * np.linalg.norm(rows / unit[:, None], axis=1))
+    return np.asarray(unit * _roots_of_squares(rows, entries / unit[rows], count))
 
 
 def _factors(lengths: Floats, largest: Floats, components: Indices, plain: Flags) -> Floats:

@@ -17,7 +17,7 @@ from lagdsl.algebra.graph.operation import DIRECTION_OF, Group, Op
 from lagdsl.derivation.program.functions import SIGNATURES
 from lagdsl.derivation.program.layout import layout
 from lagdsl.derivation.program.passes.components import with_components
-from lagdsl.derivation.program.program import Block, Function, Program, vector_block
+from lagdsl.derivation.program.program import Block, Function, Program, vector_block, whole_block
 from lagdsl.derivation.textbook.equations import EquationsOfMotion
 from lagdsl.derivation.textbook.symbols import Symbols
 from lagdsl.derivation.textbook.to_graph import ToGraph
@@ -106,7 +106,7 @@ class _Blocks:
 
 
 def _block(name: str, shape: tuple[int, ...], nodes: Sequence[int]) -> Block:
-    return Block(name=name, shape=shape, elements=tuple(nodes))
+    return whole_block(name, shape, nodes)
 
 
 def symbol_nodes(graph: Graph, symbols: Symbols) -> dict[Symbol, int]:

@@ -73,7 +73,7 @@ def _ticked(system: System) -> frozenset[str]:
 
 def nodes_of(program: Program, names: Sequence[str]) -> list[int]:
     """All results of these functions."""
-    return [node for name in names for block in program.function(name).results for node in block.elements]
+    return [node for name in names for block in program.function(name).results for node in block.nodes]
 
 
 def entries_read(program: Program, others: Sequence[int]) -> tuple[Influences, dict[int, int]]:

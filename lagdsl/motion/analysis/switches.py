@@ -44,7 +44,7 @@ class Switch:
 def switches(program: Program, functions: Sequence[str]) -> list[Switch]:
     """Switches that values of `functions` depend on; none of parameters and time alone."""
     graph = program.graph
-    roots = [node for name in functions for block in program.function(name).results for node in block.elements]
+    roots = [node for name in functions for block in program.function(name).results for node in block.nodes]
     live = graph.live(roots)
     found: dict[Switch, None] = {}
     for node in live:

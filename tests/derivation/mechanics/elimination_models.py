@@ -85,9 +85,11 @@ def largest_residual(flat: FlatModel, states: int = 20) -> float:
     equations, solution = eliminated(flat)
     graph, directions = equations.graph, equations.symbols.directions
     mass = mass_matrix(graph, equations.dynamics.terms, directions)
+    jacobian = constraint_jacobian(graph, equations.rows, directions)
+    columns = range(len(directions.rates))
     sides = [
         forcing(equations.lowering, equations.dynamics.terms),
-        *constraint_jacobian(graph, equations.rows, directions),
+        *([row.get(column, graph.zero) for column in columns] for row in jacobian),
     ]
     found = [response.accelerations for response in (solution.own, *solution.along)]
     roots = [node for rows in (mass, sides, found) for row in rows for node in row]

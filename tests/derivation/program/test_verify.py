@@ -30,7 +30,7 @@ def test_a_missing_function_is_found() -> None:
 
 def test_a_wrong_shape_is_found() -> None:
     program = pendulum()
-    block = Block(name="M", shape=(1,), elements=(program.graph.one,))
+    block = Block(name="M", shape=(1,), nodes=(program.graph.one,))
     with pytest.raises(InvalidProgram, match=r"M of mass_matrix has shape \(1,\), not \(1, 1\)"):
         verify(_with(program, "mass_matrix", results=(block,)))
     with pytest.raises(InvalidProgram, match="number of results"):
@@ -40,21 +40,21 @@ def test_a_wrong_shape_is_found() -> None:
 def test_a_symbol_that_is_no_argument_is_found() -> None:
     program = pendulum()
     for group, words in ((Group.QDD, "depends on QDD"), (Group.RELEASE, "release")):
-        block = Block(name="M", shape=(1, 1), elements=(program.graph.symbol(group),))
+        block = Block(name="M", shape=(1, 1), nodes=(program.graph.symbol(group),), places=(0,))
         with pytest.raises(InvalidProgram, match=words):
             verify(_with(program, "mass_matrix", results=(block,)))
 
 
 def test_an_index_beyond_the_layout_is_found() -> None:
     program = pendulum()
-    block = Block(name="M", shape=(1, 1), elements=(program.graph.symbol(Group.Q, 1),))
+    block = Block(name="M", shape=(1, 1), nodes=(program.graph.symbol(Group.Q, 1),), places=(0,))
     with pytest.raises(InvalidProgram, match=r"Q\[1\]"):
         verify(_with(program, "mass_matrix", results=(block,)))
 
 
 def test_a_node_that_does_not_exist_is_found() -> None:
     program = pendulum()
-    block = Block(name="M", shape=(1, 1), elements=(len(program.graph),))
+    block = Block(name="M", shape=(1, 1), nodes=(len(program.graph),), places=(0,))
     with pytest.raises(InvalidProgram, match="no node"):
         verify(_with(program, "mass_matrix", results=(block,)))
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from sample_programs import pendulum
 
 from lagdsl.algebra.graph import Graph, Group, Op
-from lagdsl.derivation.program.program import Block, Program, Slot
+from lagdsl.derivation.program.program import Block, Program, Slot, vector_block, whole_block
 
 EXACT = (
     Op.NEGATE, Op.ABS, Op.SIGN, Op.FLOOR, Op.CEIL, Op.NOT, Op.SQRT, Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.MOD,
@@ -72,7 +72,7 @@ def as_outputs(graph: Graph, roots: list[int], name: str = "Random") -> Program:
     n, zero = SYMBOLS, graph.zero
 
     def block(*shape: int) -> Block:
-        return Block(name="r", shape=shape, elements=(zero,) * int(np.prod(shape, dtype=int)))
+        return whole_block("r", shape, (zero,) * int(np.prod(shape, dtype=int)))
 
     shapes = {
         "start": [(n,), (n,), (0,), (0,)], "position_constraint": [(0,), (0, n)], "velocity_constraint": [(0,), (0, n)],
@@ -82,7 +82,7 @@ def as_outputs(graph: Graph, roots: list[int], name: str = "Random") -> Program:
         "momenta": [(n,)], "power": [(n,), (n,)], "monitor": [(0,), (0,), (0,)], "initial_equation": [(0,)],
         "constraint_tangent": [(0,), (0,)],
     }  # fmt: skip
-    output = (Block(name="y", shape=(len(roots),), elements=tuple(roots)),)
+    output = (vector_block("y", roots),)
     functions = tuple(
         replace(f, results=output if f.name == "output" else tuple(block(*s) for s in shapes[f.name]))
         for f in base.functions

@@ -48,10 +48,10 @@ def failing(found: Certificate) -> set[str]:
 
 
 def wrong(program: Program, function: str, block: int) -> Program:
-    """The same with the sign of the first element of a result turned."""
+    """The same with the sign of the first element of a result that is not zero turned."""
     blocks = list(program.function(function).results)
-    first, *others = blocks[block].elements
-    blocks[block] = replace(blocks[block], elements=(program.graph.negate(first), *others))
+    first, *others = blocks[block].nodes
+    blocks[block] = blocks[block].with_nodes([program.graph.negate(first), *others])
     functions = [replace(each, results=tuple(blocks)) if each.name == function else each for each in program.functions]
     return replace(program, functions=tuple(functions))
 

@@ -83,8 +83,7 @@ def scaled_limit(patch: pytest.MonkeyPatch) -> Compilation:
         (function,) = sound(lowering, flat)
         blocks = list(function.results)
         graph = lowering.graph
-        most = tuple(graph.multiply(graph.constant(1.1), each) for each in blocks[3].elements)
-        blocks[3] = replace(blocks[3], elements=most)
+        blocks[3] = blocks[3].with_nodes([graph.multiply(graph.constant(1.1), each) for each in blocks[3].nodes])
         return (replace(function, results=tuple(blocks)),)
 
     patch.setattr(arrange, "friction_functions", off)

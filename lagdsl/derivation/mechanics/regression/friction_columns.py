@@ -31,7 +31,7 @@ def _damping(equations: Equations) -> Iterator[tuple[Slot, int, list[int]]]:
     second = jacobian(graph, equations.dynamics.terms.drag, rates)
     for i, first in enumerate(coordinates):
         for j in range(i, len(coordinates)):
-            value, other = second[i][j], coordinates[j]
+            value, other = second[i].get(j, graph.zero), coordinates[j]
             if value == graph.zero or not _constant(graph, value):
                 continue
             column = [graph.zero] * len(rates)
@@ -50,7 +50,8 @@ def _dry(equations: Equations) -> Iterator[tuple[Slot, int, list[int]]]:
         if not _constant(graph, limit):
             continue
         sense = graph.unary(Op.SIGN, slip)
-        column = [graph.multiply(entry, sense) for entry in jacobian(graph, [slip], rates)[0]]
+        (slopes,) = jacobian(graph, [slip], rates)
+        column = [graph.multiply(slopes.get(j, graph.zero), sense) for j in range(len(rates))]
         yield Slot(name=f"limit({friction.name})", unit=force_unit(friction)), limit, column
 
 

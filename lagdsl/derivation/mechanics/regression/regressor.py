@@ -19,7 +19,7 @@ from lagdsl.derivation.mechanics.kinematics.vectors import Vector, cross
 from lagdsl.derivation.mechanics.lagrange.inertia import about_origin
 from lagdsl.derivation.mechanics.lagrange.inertial_elements import place_of, tensor_of
 from lagdsl.derivation.mechanics.regression.friction_columns import friction_columns
-from lagdsl.derivation.program.program import Block, Slot
+from lagdsl.derivation.program.program import Block, Slot, matrix_block, vector_block
 from lagdsl.foundation.units import Dimension
 from lagdsl.foundation.units.dimension import LENGTH, MASS
 from lagdsl.foundation.units.naming import unit_text
@@ -42,11 +42,8 @@ def regressor(equations: Equations) -> tuple[tuple[Block, ...], tuple[Slot, ...]
         values.append(value)
         columns.append(column)
     rows, count = len(equations.symbols.q), len(slots)
-    entries = tuple(columns[k][j] for j in range(rows) for k in range(count))
-    blocks = (
-        Block(name="Y", shape=(rows, count), elements=entries),
-        Block(name="pi", shape=(count,), elements=tuple(values)),
-    )
+    entries = [[column[j] for column in columns] for j in range(rows)]
+    blocks = (matrix_block("Y", entries, count), vector_block("pi", values))
     return blocks, tuple(slots)
 
 

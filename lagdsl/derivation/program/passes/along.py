@@ -50,7 +50,7 @@ def shared(graph: Graph, roots: Sequence[int], given: Collection[int]) -> list[i
 
 def elements(functions: Iterable[Function]) -> list[int]:
     """The nodes of all results."""
-    return [node for function in functions for block in function.results for node in block.elements]
+    return [node for function in functions for block in function.results for node in block.nodes]
 
 
 def _motion(program: Program) -> tuple[Block, ...]:
@@ -80,14 +80,11 @@ def _directional(program: Program) -> dict[str, Function]:
     for name, known in _OF_DIRECTIONS.items():
         if program.has(known) and name != ("residual" if solved else "acceleration"):
             function = program.function(known)
-            if name in ("residual", "acceleration") or function.results[0].elements:
+            if name in ("residual", "acceleration") or function.results[0].nodes:
                 found[name] = function
     return found
 
 
 def _substituted(function: Function, substitution: Substitution) -> Function:
-    blocks = tuple(
-        Block(name=block.name, shape=block.shape, elements=tuple(substitution.of_all(block.elements)))
-        for block in function.results
-    )
+    blocks = tuple(block.with_nodes(substitution.of_all(block.nodes)) for block in function.results)
     return Function(name=function.name, arguments=function.arguments, results=blocks)

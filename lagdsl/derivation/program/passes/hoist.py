@@ -17,7 +17,7 @@ def hoisted(program: Program) -> tuple[int, ...]:
     graph = program.graph
     ops, groups, operands = graph.op, graph.groups, graph.operands
     single = [function for function in program.functions if function.name not in ALONG_MANY]
-    roots = [node for function in single for block in function.results for node in block.elements]
+    roots = [node for function in single for block in function.results for node in block.nodes]
     wanted = {root for root in roots if not groups[root] & ~_PARAMETER}
     for node in graph.live(roots):
         if groups[node] & ~_PARAMETER:

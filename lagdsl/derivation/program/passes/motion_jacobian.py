@@ -59,7 +59,7 @@ def motion_jacobian(program: Program) -> MotionJacobian | None:
         found = _found(program, factor, budget)
     except TooMany:
         return None
-    nodes = [node for block in found.results for node in block.elements]
+    nodes = [node for block in found.results for node in block.nodes]
     return found if flops(program.graph, nodes) <= most else None
 
 
@@ -83,8 +83,8 @@ def _found(program: Program, factor: Factor, budget: Budget) -> MotionJacobian:
     motion = (elimination[0], elimination[1], elimination[-1])
     values = _symbols(program, _VALUES)
     solution = Substitution(graph, dict(zip(values, (*motion[0].elements, *motion[1].elements), strict=True)))
-    equations = [node for block in program.function("residual").results for node in block.elements]
-    rates = [node for block in program.function("state_derivative").results for node in block.elements]
+    equations = [node for block in program.function("residual").results for node in block.nodes]
+    rates = [node for block in program.function("state_derivative").results for node in block.nodes]
     rows = [_row(graph, node, budget) for node in (*equations, *(graph.negate(rate) for rate in rates))]
 
     def derivatives(symbols: Sequence[int]) -> list[list[int]]:

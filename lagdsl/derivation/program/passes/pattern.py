@@ -44,9 +44,9 @@ def patterns(program: Program) -> dict[str, tuple[tuple[int, int], Pattern]]:
 
 def jacobian_pattern(program: Program) -> Pattern:
     """Entries of the constraint Jacobian that are not zero by themselves."""
-    zero, width = program.graph.zero, len(program.layout.coordinates)
-    one, other = (program.function(name).results[1].elements for name in ("position_constraint", "velocity_constraint"))
-    places = [i for i, (x, y) in enumerate(zip(one, other, strict=True)) if x != zero or y != zero]
+    width = len(program.layout.coordinates)
+    both = (program.function(name).results[1] for name in ("position_constraint", "velocity_constraint"))
+    places = sorted({place for block in both for place, _ in block.entries})
     return [place // width for place in places], [place % width for place in places]
 
 
@@ -56,9 +56,10 @@ def kept_patterns(program: Program) -> tuple[Pattern, Pattern]:
     kept = program.kept_rows
     if not kept or not program.has("elimination"):
         return ([], []), ([], [])
-    zero, width = program.graph.zero, len(program.layout.coordinates)
-    elements = program.function("elimination").results[2].elements
-    moved = [{j for j in range(width) if elements[i * width + j] != zero} for i in range(len(kept))]
+    width = len(program.layout.coordinates)
+    moved: list[set[int]] = [set() for _ in kept]
+    for place, _ in program.function("elimination").results[2].entries:
+        moved[place // width].add(place % width)
     movers: list[list[int]] = [[] for _ in range(width)]
     for i, columns in enumerate(moved):
         for j in columns:

@@ -5,7 +5,7 @@ With factors s the rows are s phi, and the multipliers lam/s: the motion is the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import product
 from math import prod
@@ -52,14 +52,19 @@ class _Scaling:
         return replace(function, results=tuple(self._block(*pair) for pair in pairs))
 
     def _block(self, block: Block, result: Result) -> Block:
-        nodes = self._substitution.of_all(block.elements)
+        graph, nodes = self._graph, self._substitution.of_all(block.nodes)
         scaled = zip(self._weights(block, result), nodes, strict=True)
-        elements = (node if by == 1.0 else self._graph.multiply(self._graph.constant(by), node) for by, node in scaled)
-        return replace(block, elements=tuple(elements))
+        return block.with_nodes(
+            [node if by == 1.0 else graph.multiply(graph.constant(by), node) for by, node in scaled]
+        )
 
-    def _weights(self, block: Block, result: Result) -> Iterator[float]:
+    def _weights(self, block: Block, result: Result) -> Iterable[float]:
+        """Of its nodes."""
         # the only speed of a contact that is a number of its own
         shape = ("ngap",) if result.name == "capture_speed" else result.shape
         axes = [self._along.get(length, []) for length in shape]
         padded = [own + [1.0] * (extent - len(own)) for own, extent in zip(axes, block.shape, strict=True)]
+        if block.is_sparse:
+            places = (divmod(place, block.shape[1]) for place in block.places)
+            return (padded[0][row] * padded[1][column] for row, column in places)
         return map(prod, product(*padded))

@@ -42,7 +42,7 @@ def speeds(flat: FlatModel, program: Program) -> tuple[bool, ...]:
 def _present(program: Program, names: Sequence[str]) -> set[int]:
     functions = [program.function(name) for name in names if program.has(name)]
     blocks = [block for each in functions for block in each.results]
-    return set(program.graph.live(chain.from_iterable(block.elements for block in blocks)))
+    return set(program.graph.live(chain.from_iterable(block.nodes for block in blocks)))
 
 
 def with_speeds(flat: FlatModel, program: Program) -> Program:

@@ -8,7 +8,7 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.algebra.graph.substitute import Substitution
 from lagdsl.derivation.program.functions import SIGNATURES
-from lagdsl.derivation.program.program import Block, Function, Program
+from lagdsl.derivation.program.program import Block, Function, Program, matrix_block
 
 
 def written_out(program: Program) -> Program:
@@ -18,7 +18,7 @@ def written_out(program: Program) -> Program:
     graph, size = program.graph, program.layout.size(Group.Q)
     (momenta,) = program.function("momentum_tangent").results
     columns = [_along_one(graph, momenta, k, size) for k in range(size)]
-    mass = Block(name="M", shape=(size, size), elements=tuple(columns[k][j] for j in range(size) for k in range(size)))
+    mass = matrix_block("M", list(zip(*columns, strict=True)), size)
     at_rest = Substitution(graph, {graph.symbol(Group.QDD, k): graph.zero for k in range(size)})
     (missing,) = program.function("inverse_dynamics").results
     _, rows = program.function("residual").results
@@ -37,4 +37,4 @@ def _along_one(graph: Graph, momenta: Block, k: int, size: int) -> list[int]:
 
 
 def _negative(graph: Graph, block: Block, at_rest: Substitution) -> Block:
-    return replace(block, elements=tuple(graph.negate(node) for node in at_rest.of_all(block.elements)))
+    return block.with_nodes([graph.negate(node) for node in at_rest.of_all(block.nodes)])

@@ -26,9 +26,7 @@ def jacobian_source(program: Program, stem: str) -> str:
     if found is None:
         return "\n".join([*lines, f"{name} = {{0}};\n"])
     prepared = {node: Place(PREPARED, index) for index, node in enumerate(hoisted(program))}
-    contents = filled(
-        program.graph, ((own, block, ()) for own, block in zip(RESULTS, found.results, strict=True)), SINGLE
-    )
+    contents = filled(((own, block, ()) for own, block in zip(RESULTS, found.results, strict=True)), SINGLE)
     parameters = ["const lag_arguments *at", *(f"double *{own}" for own in RESULTS)]
     head = Head("model_jacobian", parameters, ["at", *RESULTS], fused=True)
     made = code(program.graph, contents.stores, prepared, SINGLE, head)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from lagdsl.algebra.graph.graph import Graph
 from lagdsl.derivation.program.functions import BY_NAME
 from lagdsl.derivation.program.program import Block, Function, Layout, Program, Slot
 from lagdsl.engines.backends.c.dialect import SCRATCH, SINGLE, Dialect, Place
@@ -35,23 +34,23 @@ def results(program: Program, function: Function, dialect: Dialect) -> Results:
     alone writes (lag/model.h) are clear."""
     named = enumerate(zip(names_of(function.name), function.results, strict=True))
     arrays = [(name, block, _places(program.layout, function.name, position)) for position, (name, block) in named]
-    return filled(program.graph, arrays, dialect)
+    return filled(arrays, dialect)
 
 
-def filled(graph: Graph, arrays: Iterable[tuple[str, Block, Sequence[Slot]]], dialect: Dialect) -> Results:
+def filled(arrays: Iterable[tuple[str, Block, Sequence[Slot]]], dialect: Dialect) -> Results:
     """The same for arrays by their names in C, with the slots whose declarations their rows come from."""
     first: list[str] = []
     last: list[str] = []
     stores: list[Store] = []
     for name, block, places in arrays:
         mirrored = _is_symmetric(block)
-        if _is_sparse(graph, block):
-            count, zero = len(block.elements), dialect.literal(0.0)
+        if _is_sparse(block):
+            count, zero = block.size, dialect.literal(0.0)
             where = f"lag_is_kept(at, {name}) ? 0 : {count}" if dialect is SINGLE and len(block.shape) == 2 else count
             first.append(f"for (size_t i = 0, count = {where}; i < count; ++i) {{ {name}[i] = {zero}; }}")
         if mirrored:
             last.append(_MIRROR.format(name=name, n=block.shape[0]))
-        stores += _stores(graph, block, name, places, mirrored)
+        stores += _stores(block, name, places, mirrored)
     return Results(tuple(first), tuple(stores), tuple(last))
 
 
@@ -64,22 +63,22 @@ _MIRROR = (
 def _is_symmetric(block: Block) -> bool:
     if len(block.shape) != 2 or block.shape[0] != block.shape[1] or block.shape[0] < 3:
         return False
-    n = block.shape[0]
-    return all(block.elements[i * n + j] == block.elements[j * n + i] for i in range(n) for j in range(i))
+    n, found = block.shape[0], dict(block.entries)
+    return all(found.get(place % n * n + place // n) == node for place, node in found.items())
 
 
-def _is_sparse(graph: Graph, block: Block) -> bool:
-    return sum(node == graph.zero for node in block.elements) >= _FEWEST_ZEROS
+def _is_sparse(block: Block) -> bool:
+    return block.size - sum(1 for _ in block.entries) >= _FEWEST_ZEROS
 
 
-def _stores(graph: Graph, block: Block, name: str, places: Sequence[Slot], mirrored: bool) -> list[Store]:
-    sparse = _is_sparse(graph, block)
+def _stores(block: Block, name: str, places: Sequence[Slot], mirrored: bool) -> list[Store]:
+    sparse = _is_sparse(block)
     width = block.shape[1] if len(block.shape) == 2 else 1
     stores = []
     commented = set[int]()
-    for index, node in enumerate(block.elements):
+    for index, node in block.entries if sparse else enumerate(block.elements):
         row, column = divmod(index, max(width, 1))
-        if (mirrored and column > row) or (sparse and node == graph.zero):
+        if mirrored and column > row:
             continue
         place = place_of(places[row]) if row < len(places) and row not in commented else None
         commented.add(row)

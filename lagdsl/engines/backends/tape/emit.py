@@ -17,7 +17,7 @@ from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
 from lagdsl.derivation.program.passes.pattern import patterns, rates_pattern
 from lagdsl.derivation.program.program import Layout, Program, Slot
 from lagdsl.engines.backends.start import Start
-from lagdsl.engines.backends.tape.function import preparation, words_of
+from lagdsl.engines.backends.tape.function import Result, preparation, results_of, words_of
 from lagdsl.engines.backends.tape.nodes import Ints, Nodes, distinct, live_sets, nodes_of
 from lagdsl.engines.backends.tape.settled import Settled, settle
 from lagdsl.language.flat.events import INITIAL
@@ -76,16 +76,16 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
     single = [program.function(name).results if program.has(name) else () for name in FUNCTIONS]
     several = [each.functions[name].results for each in found if each is not None for name in each.functions]
     several += [] if written is None else [written.results]
-    blocks = [[np.array(block.elements, dtype=np.int64) for block in results] for results in (*single, *several)]
-    roots = [distinct(len(nodes.op), *own) for own in blocks]
+    every = [results_of(blocks) for blocks in (*single, *several)]
+    roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in every]
     lives = live_sets(nodes, roots)
     settled, constants, hoisted = settle(nodes, len(program.layout.parameters), lives, roots)
     live = np.array(program.graph.live(hoisted.tolist()), dtype=np.int64)
     first, row = preparation(nodes, live, hoisted, settled, len(program.layout.parameters))
     codes, ends = [first], [row]
     made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
-    for name, live, own in zip(FUNCTIONS, lives, blocks, strict=False):
-        key = tuple((number, blake2b(block.tobytes()).digest()) for number, block in enumerate(own) if len(block))
+    for name, live, own in zip(FUNCTIONS, lives, every, strict=False):
+        key = tuple((number, _key(result)) for number, result in enumerate(own) if result.count)
         if program.has(name) and key not in made:
             made[key] = words_of(nodes, live, own, settled)
         words, end = made[key] if program.has(name) else (_NONE, 0)
@@ -98,7 +98,7 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
         ends.append(end)
         rows += [shared_end, own_row]
     if written is not None:
-        words, end = words_of(nodes, lives[-1], blocks[-1], settled)
+        words, end = words_of(nodes, lives[-1], every[-1], settled)
         codes.append(words)
         ends.append(end)
     return _written(program, constants, start, codes, [max(ends), settled.first, *rows])
@@ -149,19 +149,24 @@ def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[l
     common = common[(settled.place[common] < 0) & ~settled.hidden[common]]
     after = settled.with_more(common)
     before = replace(settled, first=after.first)
-    motion = [np.array(block.elements, dtype=np.int64) for block in found.motion]
-    (live,) = live_sets(nodes, [distinct(len(nodes.op), common, *motion)])
+    motion = results_of(found.motion)
+    (live,) = live_sets(nodes, [distinct(len(nodes.op), common, *(result.roots for result in motion))])
     primal, single = words_of(nodes, live, motion, before, common)
     codes, row = [primal], after.first
     for name in ALONG:
         words = _NONE
         if name in found.functions:
-            own = [np.array(block.elements, dtype=np.int64) for block in found.functions[name].results]
-            live = _reached(nodes, distinct(len(nodes.op), *own), after)
+            own = results_of(found.functions[name].results)
+            live = _reached(nodes, distinct(len(nodes.op), *(result.roots for result in own)), after)
             words, end = words_of(nodes, live, own, after)
             row = max(row, end)
         codes.append(words)
     return codes, single, after.first, row
+
+
+def _key(result: Result) -> bytes:
+    """Equal for equal results."""
+    return blake2b(np.concatenate([[result.count], result.places, result.nodes]).tobytes()).digest()
 
 
 def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:

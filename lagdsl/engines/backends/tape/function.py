@@ -2,27 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import chain
 
 import numpy as np
 
+from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.operation import FIRST_UNARY, Group, Op
+from lagdsl.derivation.program.program import Block
 from lagdsl.engines.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
 from lagdsl.engines.backends.tape.nodes import Flags, Ints, Nodes, distinct
 from lagdsl.engines.backends.tape.registers import places
 from lagdsl.engines.backends.tape.schedule import groups
 from lagdsl.engines.backends.tape.selection import Selection, select
 from lagdsl.engines.backends.tape.settled import MINUS_ONE, ONE, Settled
+from lagdsl.foundation.record import record
 
 # Results with so many zeros are cleared before the others are written.
 _FEWEST_ZEROS = 8
 
 
+@record()
+class Result:
+    """A result array of `count` numbers: `nodes` stand at `places`, ascending; all others are zero."""
+
+    count: int
+    places: Ints
+    nodes: Ints
+
+    @property
+    def roots(self) -> Ints:
+        """All that it is computed from."""
+        return self.nodes if len(self.nodes) == self.count else np.append(self.nodes, ZERO)
+
+
+def results_of(blocks: Iterable[Block]) -> list[Result]:
+    return [_result(block) for block in blocks]
+
+
+def _result(block: Block) -> Result:
+    nodes = np.array(block.nodes, dtype=np.int64)
+    places = np.array(block.places, dtype=np.int64) if block.is_sparse else np.flatnonzero(nodes != ZERO)
+    return Result(block.size, places, nodes if block.is_sparse else nodes[places])
+
+
 def words_of(
-    nodes: Nodes, live: Ints, blocks: Sequence[Ints], settled: Settled, kept: Ints | None = None
+    nodes: Nodes, live: Ints, results: Sequence[Result], settled: Settled, kept: Ints | None = None
 ) -> tuple[Ints, int]:
-    """The instructions that fill the result arrays `blocks`, which are computed from the nodes `live`, and the length
+    """The instructions that fill the `results`, which are computed from the nodes `live`, and the length
     of the row that they need.
 
     The nodes `kept`, ascending, are put into places in a row: the last ones before those of the function itself.
@@ -35,16 +62,13 @@ def words_of(
     places = settled.first - len(kept) + np.arange(len(kept))
     computed = nodes.op[kept] >= FIRST_UNARY
     known[own[computed]] = places[computed]
-    results = distinct(len(live), own, *(np.searchsorted(live, block) for block in blocks))
+    told = distinct(len(live), own, *(np.searchsorted(live, result.roots) for result in results))
     loads, loaded = _loads(nodes, live, at_hand, settled.first)
-    body, place, end = _computed(nodes, live, known, at_hand, loaded, results, settled.first)
+    body, place, end = _computed(nodes, live, known, at_hand, loaded, told, settled.first)
     copies = [CODE["MULTIPLY"], np.count_nonzero(~computed)] if not computed.all() else []
     for to, of in zip(places[~computed].tolist(), place[own[~computed]].tolist(), strict=True):
         copies += [to, of, ONE]
-    stores = [
-        _stored(number, place[np.searchsorted(live, block)], block != nodes.graph.zero)
-        for number, block in enumerate(blocks)
-    ]
+    stores = [_stored(number, result, live, place) for number, result in enumerate(results)]
     return np.concatenate([*loads, body, np.array(copies, dtype=np.int64), *stores, [CODE["END"]]]), end
 
 
@@ -81,14 +105,16 @@ def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[I
     return loads, np.concatenate([_NONE, *loaded])
 
 
-def _stored(number: int, place: Ints, nonzero: Flags) -> Ints:
-    """The instruction that fills the result array `number`."""
-    if not len(place):
+def _stored(number: int, result: Result, live: Ints, place: Ints) -> Ints:
+    """The instruction that fills the result array `number`, where the nodes `live` are in these places."""
+    count, entries, own = result.count, result.places, place[np.searchsorted(live, result.nodes)]
+    if not count:
         return _NONE
-    if len(place) - np.count_nonzero(nonzero) < _FEWEST_ZEROS:
-        return np.concatenate([[CODE["STORE"], number, 0, len(place)], place])
-    entries = np.flatnonzero(nonzero)
-    return np.concatenate([[CODE["SCATTER"], number, len(place), len(entries)], entries, place[entries]])
+    if count - len(entries) >= _FEWEST_ZEROS:
+        return np.concatenate([[CODE["SCATTER"], number, count, len(entries)], entries, own])
+    whole = np.full(count, place[np.searchsorted(live, ZERO)] if len(entries) < count else -1)
+    whole[entries] = own
+    return np.concatenate([[CODE["STORE"], number, 0, count], whole])
 
 
 def _computed(

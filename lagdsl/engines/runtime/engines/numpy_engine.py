@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lagdsl.algebra.graph.fold import SCALAR
 from lagdsl.algebra.graph.operation import ARGUMENT_NAMES, Group, Op
 from lagdsl.derivation.program.functions import STATE
-from lagdsl.derivation.program.program import Block, Program
+from lagdsl.derivation.program.program import Program, vector_block
 from lagdsl.engines.backends.python.body import ELEMENTARY, body, body_name
 from lagdsl.engines.backends.python.emit import shapes
 from lagdsl.engines.backends.python.sizes import motion_sizes
@@ -163,7 +163,7 @@ class NumpyEngine:
             varied = [index for index, node in enumerate(elements) if not graph.is_constant(node)]
             template = np.array([graph.value[node] if graph.is_constant(node) else 0.0 for node in elements])
             self._varied[function] = np.array(varied, dtype=np.intp), template
-            kept = Block(name="varied", shape=(len(varied),), elements=tuple(elements[index] for index in varied))
+            kept = vector_block("varied", [elements[index] for index in varied])
             namespace: dict[str, Any] = {"inf": math.inf, "Any": Any}
             text = body(self._program, replace(definition, results=(kept,)))
             exec(compile(text, f"<generated {function}>", "exec"), namespace)

@@ -8,6 +8,7 @@ from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.engines.engine import EngineName
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.engines.tape_model import load_tape
+from lagdsl.foundation.collection import without_collection
 
 # Two vectors of states.
 _CROWD = 16
@@ -33,6 +34,7 @@ class TapeEngine(CEngine):
     def along_parameters(self) -> NativeModel:
         return self._part("parameter_tangents")
 
+    @without_collection()
     def _made(self, part: str | None) -> bytes:
         """The tape with the functions that are called `part`; those of several states are on every tape."""
         return tape(self._program, parts=(part,) if part in PARTS else ())

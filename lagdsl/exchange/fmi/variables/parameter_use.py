@@ -32,7 +32,7 @@ def parameters_of(program: Program, nodes: Iterable[int]) -> frozenset[int]:
 def start_parameters(program: Program) -> tuple[frozenset[int], ...]:
     """By entry of (q, qd, z)."""
     blocks = program.function("start").results[:3]
-    return tuple(parameters_of(program, [node]) for block in blocks for node in block.elements)
+    return tuple(parameters_of(program, [node]) for block in blocks for node in block.nodes)
 
 
 def free_places(flat: FlatModel) -> frozenset[int]:
@@ -49,4 +49,4 @@ def tunable(flat: FlatModel, program: Program) -> frozenset[int]:
 
 
 def _read(program: Program, functions: Iterable[Function]) -> frozenset[int]:
-    return parameters_of(program, [n for function in functions for block in function.results for n in block.elements])
+    return parameters_of(program, [n for function in functions for block in function.results for n in block.nodes])

@@ -129,7 +129,8 @@ def _after_impacts(equations: Equations, program: Program, states: Arrays) -> li
     count, n = len(rows), len(equations.symbols.q)
     slopes = rows[:, appearing]
     if gaps:
-        elements = [x for row in jacobian(equations.graph, gaps, equations.symbols.q) for x in row]
+        found = jacobian(equations.graph, gaps, equations.symbols.q)
+        elements = [row.get(column, equations.graph.zero) for row in found for column in range(n)]
         slopes = np.concatenate([slopes, _evaluated(equations, elements, states).reshape(count, len(gaps), n)], axis=1)
     after = []
     random = np.random.default_rng(_SEED)

@@ -109,7 +109,7 @@ def reads_time(system: System) -> bool:
     """True if the motion or a clause depends on time by itself."""
     program = system.program
     names = [name for name in ("residual", "velocity_constraint", "state_derivative", "event") if program.has(name)]
-    nodes = (node for name in names for block in program.function(name).results for node in block.elements)
+    nodes = (node for name in names for block in program.function(name).results for node in block.nodes)
     return any(program.graph.depends(node, Group.TIME) for node in nodes)
 
 

@@ -167,5 +167,5 @@ void lag_rank_estimate_clear(lag_rank_estimate *estimate)
     lag_fill(lag_entries_count(estimate->model), 0.0, estimate->now);
     lag_fill(m, 0.0, estimate->trial);
     lag_fill(4 * m, 0.0, estimate->columns.products);
-    lag_fill(m * (m + 1) / 2, 0.0, estimate->matrix.band);
+    lag_fill(m > 0 ? lag_index(estimate->matrix.start[m]) : 0, 0.0, estimate->matrix.band);
 }

@@ -131,11 +131,14 @@ static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
 
 void lag_radau_transform(size_t n, size_t stages, const double matrix[STAGES][STAGES], const double *in, double *out)
 {
-    memset(out, 0, stages * n * sizeof(double));
     for (size_t k = 0; k < stages; ++k) {
-        for (size_t j = 0; j < stages; ++j) {
+        const double *row = matrix[k];
+        for (size_t i = 0; i < n; ++i) {
+            out[k * n + i] = row[0] * in[i] + row[1] * in[n + i] + row[2] * in[2 * n + i];
+        }
+        for (size_t j = 3; j < stages; j += 2) { /* there are 3, 5 or 7 */
             for (size_t i = 0; i < n; ++i) {
-                out[k * n + i] += matrix[k][j] * in[j * n + i];
+                out[k * n + i] = out[k * n + i] + row[j] * in[j * n + i] + row[j + 1] * in[(j + 1) * n + i];
             }
         }
     }

@@ -178,17 +178,19 @@ static void multiply(size_t count, size_t apart, const number *a, double *x)
     }
 }
 
-/* The entries of a row in columns of coordinates times what is there. */
-static double of_coordinates(const lag_ode *ode, const lag_radau_row *row, const double *entry, const double *x)
+/* The entries of a row in columns of coordinates times what is there: `sum` of as many parts, which are n apart in x. */
+static void of_coordinates(const lag_ode *ode, const lag_radau_row *row, const double *entry, size_t parts, const double *x, double sum[2])
 {
-    double sum = 0.0;
+    const double *other = x + (parts - 1) * ode->size; /* of one part the same twice */
+    sum[0] = sum[1] = 0.0;
     for (size_t j = 0; j < ode->nq && row->column == NULL; ++j) {
-        sum += entry[row->first + j] * x[j];
+        sum[0] += entry[row->first + j] * x[j];
+        sum[1] += entry[row->first + j] * other[j];
     }
     for (size_t k = row->first; row->column != NULL && k < row->end && row->column[k] < ode->nq; ++k) {
-        sum += entry[k] * x[row->column[k]];
+        sum[0] += entry[k] * x[row->column[k]];
+        sum[1] += entry[k] * other[row->column[k]];
     }
-    return sum;
 }
 
 /* The right side of the equations without coordinates, `right` (others, parts), of x (parts, n), which keeps its coordinates only. */
@@ -208,8 +210,10 @@ static void eliminate(const lag_ode *ode, const lag_radau_places *at, const numb
     for (size_t i = 0; i < lag_radau_others(ode) && ode->nq > 0; ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
         const size_t place = place_of(ode, at->memo, i);
+        double sum[2];
+        of_coordinates(ode, &row, at->middle, parts, x + ode->nq, sum);
         for (size_t part = 0; part < parts; ++part) {
-            right[parts * place + part] += of_coordinates(ode, &row, at->middle, x + part * n + ode->nq);
+            right[parts * place + part] += sum[part];
         }
     }
 }
