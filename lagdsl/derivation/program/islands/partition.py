@@ -78,8 +78,10 @@ def partition(program: Program) -> Partition | None:
     """None where there is one island alone. A `terminate` ends the motion of all, so it leaves one.
 
     What has no guards never ends a step of others: all of that is one island, with what has neither coordinates nor
-    states.
+    states. Islands consist of whole components, so one component is one island.
     """
+    if len(set(program.layout.components)) == 1:
+        return None
     own = {axis: length for axis, length in sizes(program.layout).items() if axis not in ("nu", "np")}
     lengths = {**own, **counted(program), "nk": len(program.kept_rows)}
     if lengths["nstop"] or any(lengths[axis] for axis in _EXPORTED) or not any(lengths[axis] for axis in _GUARDS):
