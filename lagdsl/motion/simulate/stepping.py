@@ -32,8 +32,10 @@ class Stepping:
 
     def over(self, breaks: Sequence[float]) -> Status:
         """Up to the last of them, at which inputs may jump. It is known behind the first one how long a step takes."""
+        if not breaks:
+            return Status.OK
         stops = np.array(breaks)
-        status = self.segment(self._run.over(stops[:1])) if len(stops) else Status.OK
+        status = self.segment(self._run.over(stops[:1]))
         return self.segment(self._run.over(stops[1:])) if status is Status.OK and len(stops) > 1 else status
 
     def to(self, stop: float) -> Status:

@@ -26,9 +26,11 @@ def motion_of_islands(task: Task) -> tuple[Trajectory, list[float]] | None:
     if asked.controls is not None or asked.tangents:
         return None
     pieces = pieces_of(asked.engine, task.run, task.initial)
+    if not pieces:
+        return None
     breaks = [b for b in asked.signals.breaks if b > float(task.times[0])]
     runs = Runs(pieces, breaks, asked.max_steps)
-    results = runs.results(task.progress) if pieces else None
+    results = runs.results(task.progress)
     return None if results is None else _Joined(task, pieces, results, runs).found()
 
 
