@@ -8,10 +8,9 @@ CPU seconds of the derivation, of start values, of the motion behind them (proje
 growth of the memory of the process; tapes, least of several runs, BLAS with one thread. Exponents as above, of
 all sizes."""
 _EVENTS = """\
-N balls have N times the events of one, at instants of their own. Each ends the step of the one integrator there
-is, and the next one evaluates all N balls: N^2 evaluations of a ball, exponent 2, is what one step size for all can
-reach; below it are sizes at which an event costs more than its evaluations. All else of an event belongs to its own
-mechanism: impulses, projections and forces of contacts are found within the component that strikes (`docs/adr/0011`).
+N balls have N times the events of one, at instants of their own. Each ball is an island: it has steps and instants of
+its own, so N balls cost N times one (`docs/adr/0011`). Rows of all balls at the events of all are N^2 numbers; they are
+made when somebody reads them.
 An event with its step in evaluations, those of the step among them:"""
 _IFTOMM = """\
 A01 to A05 of the library of computational benchmark problems (M. Gonzalez, D. Dopico, U. Lugris, J. Cuadrado,

@@ -37,9 +37,7 @@ def rows_of(prepared: Prepared, states: States, origin: str) -> Trajectory:
             Column(name=name, unit=unit, kind=kind, display=display, values=np.ascontiguousarray(values))
             for (name, unit, kind, display), values in zip(heads, table[:, :-1].T, strict=True)
         ),
-        position_residual=zeros,
-        velocity_residual=zeros,
-        energy=np.ascontiguousarray(table[:, -1]),
+        checks=np.array([table[:, -1], zeros, zeros]),
         invariants=(),
         moved=(),
         statistics=Statistics(solver=origin),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from ctypes import addressof, byref, c_double, c_size_t, create_string_buffer
 from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
@@ -16,7 +16,7 @@ from lagdsl.engines.runtime.engines.buffers import Buffers, place_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.run_options import RunSettings, ToldOptions
+from lagdsl.engines.runtime.run_options import Flags, RunSettings, ToldOptions
 from lagdsl.engines.runtime.run_results import RunResults
 from lagdsl.engines.runtime.run_sensitivities import Directions
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
@@ -70,10 +70,13 @@ class _Search:
         self._row_sizes[:], self._pattern[:], self._dependent[:] = 1.0, 0.0, self._redundant
         return self._x.copy(), self._told
 
-    def again(self, found: Found) -> int:
+    def again(self, row_sizes: Floats, dependent: Sequence[bool] | Flags) -> int:
         """Lets a start found before be that of now; returns the place of the flags of rows that depend on others."""
-        self._row_sizes[:], self._dependent[:] = found.row_sizes, found.dependent
+        self._row_sizes[:], self._dependent[:] = row_sizes, dependent
         return place_of(self._dependent)
+
+    def sizes_of_rows(self) -> Floats:
+        return self._row_sizes.copy()
 
     def found(self, starts: Floats, p: Floats) -> Found:
         return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern)
@@ -151,10 +154,19 @@ class Run(RunView):
     def find_again(self, t: float, found: Found) -> None:
         """The start that was found before, for the same model, parameters, inputs and start values, none of them free:
         without a search."""
+        self.know(t, found.row_sizes, found.dependent)
+
+    def know(self, t: float, row_sizes: Floats, dependent: Sequence[bool] | Flags) -> None:
+        """The sizes of the rows (nc,) at the start at time t are known, and which depend on others."""
         search, library = self._search, self._library
         self._checked(library.run_start(self._run, t, search.x))
-        if len(found.row_sizes):
-            library.run_depend(self._run, search.again(found))
+        if len(row_sizes):
+            library.run_depend(self._run, search.again(row_sizes, dependent))
+
+    @property
+    def row_sizes(self) -> Floats:
+        """Sizes of the rows (nc,) as the start has them."""
+        return self._search.sizes_of_rows()
 
     def begin(self, t: float, x: Floats) -> Status:
         """The motion begins at the state x, with what happens there."""

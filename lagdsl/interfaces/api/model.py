@@ -254,7 +254,7 @@ class Model(MotionsAsFunctions):
     ) -> Motions:
         """Many motions at once, on all cores: run k has entry k of every sequence among the values.
 
-        `motions["theta"]` has the shape (runs, rows), the rows those of `simulate` at `motions.time`, to the bit.
+        `motions["theta"]` is (runs, rows), the rows those of `simulate` at `motions.time`; without islands to the bit.
         `motions.failures` says why which run failed; its rows after that are nan. Names, values and `tangents` are
         those of `simulate`, values numbers or sequences of one length. Entries of inputs are signals of any form; a
         pair of columns of numbers is one table. A sequence of mappings or of files has all inputs of each run.

@@ -21,7 +21,7 @@ from lagdsl.motion.sessions.opening import Opening
 from lagdsl.motion.sessions.session import Session
 from lagdsl.motion.simulate.commands import Command
 from lagdsl.motion.simulate.control import seconds
-from lagdsl.motion.simulate.motion import MOST_STEPS, STEPS
+from lagdsl.motion.simulate.stepping import MOST_STEPS, STEPS
 
 # Fewer runs than this in one thread are not worth the time that it takes to wake it.
 _FEWEST = 32

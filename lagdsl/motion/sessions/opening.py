@@ -25,10 +25,10 @@ from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.commands import Commands
 from lagdsl.motion.simulate.derivatives import check_differentiable, differentiate, directions_of
 from lagdsl.motion.simulate.initialize import InitialState, find_start
-from lagdsl.motion.simulate.motion import MOST_STEPS
 from lagdsl.motion.simulate.placed import placed
 from lagdsl.motion.simulate.present import Places
 from lagdsl.motion.simulate.simulate import check_options
+from lagdsl.motion.simulate.stepping import MOST_STEPS
 
 
 @record(kw_only=True)

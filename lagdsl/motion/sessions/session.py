@@ -27,10 +27,10 @@ from lagdsl.motion.simulate.control import seconds
 from lagdsl.motion.simulate.derivatives import report_no_derivative, tell_one_sided
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.messages import Course, report_fault
-from lagdsl.motion.simulate.motion import MOST_STEPS, STEPS
 from lagdsl.motion.simulate.present import Present
 from lagdsl.motion.simulate.state_words import state_values, time_text
-from lagdsl.motion.simulate.table import differentiated, events_of, trajectory
+from lagdsl.motion.simulate.stepping import MOST_STEPS, STEPS
+from lagdsl.motion.simulate.table import differentiated, events_of, recorded_by, trajectory
 
 
 @record(kw_only=True)
@@ -268,7 +268,8 @@ class Session(Present):
             projections=report.projections,
         )
         asked = self._opening.asked
-        return trajectory(asked.flat, asked.engine.layout, run, self._made[1], statistics, None, asked.tangents)
+        recorded = recorded_by(asked.flat, run, asked.tangents)
+        return trajectory(asked.flat, asked.engine.layout, recorded, self._made[1], statistics)
 
     def derivative(self, of: str, by: str) -> float:
         """Of the present value of the variable or output `of`, at this time, by a quantity that `tangents` named, in SI

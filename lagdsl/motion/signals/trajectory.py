@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from math import isfinite, isnan
-from typing import TYPE_CHECKING, Literal, Self, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, TypeAlias, overload
 
 import numpy as np
 
@@ -57,17 +57,40 @@ class Column:
             object.__setattr__(self, "highest", float(np.max(seen)))
 
 
+class Table(Protocol):
+    """Rows of a motion, column by column."""
+
+    def __getitem__(self, place: int, /) -> Floats: ...
+
+
+class LateColumn(Column):
+    """A column whose values are made when they are first asked for."""
+
+    __slots__ = ("_given",)
+    _given: Floats | Callable[[], Floats]
+
+    @property
+    def values(self) -> Floats:
+        if callable(self._given):
+            self._given = self._given()
+        return self._given
+
+    @values.setter
+    def values(self, given: Floats | Callable[[], Floats]) -> None:
+        self._given = given
+
+
 class Columns(Sequence[Column]):
     """The columns of a table, each made when it is first asked for: short motions are read in part.
 
-    `table` (columns, rows), time first; `ends` (2, columns but for time) are the lowest and highest values, infinite
-    where there was no number; `aliases` are other names by name.
+    `table` has the time first; `ends` (2, columns but for time) are the lowest and highest values, infinite where there
+    was no number; `aliases` are other names by name.
     """
 
     __slots__ = ("_aliases", "_ends", "_heads", "_made", "_table")
 
     def __init__(
-        self, heads: Sequence[Head], table: Floats, ends: Floats, aliases: Mapping[str, tuple[str, ...]]
+        self, heads: Sequence[Head], table: Table, ends: Floats, aliases: Mapping[str, tuple[str, ...]]
     ) -> None:
         self._heads, self._table, self._ends, self._aliases = heads, table, ends, aliases
         self._made: dict[int, Column] = {}
@@ -93,13 +116,16 @@ class Columns(Sequence[Column]):
         if place:
             low, high = self._ends[:, place - 1].tolist()
         else:
-            low, high = (self._table[0, 0], self._table[0, -1]) if self._table.size else (np.nan, np.nan)
-        return Column(
+            times = self._table[0]
+            low, high = (times[0], times[-1]) if len(times) else (np.nan, np.nan)
+        late = not isinstance(self._table, np.ndarray)
+        values: Any = partial(self._table.__getitem__, place) if late else self._table[place]
+        return (LateColumn if late else Column)(
             name=name,
             unit=unit,
             kind=kind,
             display=shown,
-            values=self._table[place],
+            values=values,
             lowest=low if isfinite(low) else np.nan,
             highest=high if isfinite(high) else np.nan,
             aliases=self._aliases.get(name, ()),
@@ -164,8 +190,7 @@ class Trajectory:
     """Rows at the requested times, and two at the time of an event: before it and after it. `trajectory["theta"]` is a
     column in SI units.
 
-    `position_residual` and `velocity_residual` are the largest violations of the constraints at each row, in the
-    units of the constraint rows; `energy` is energy() [J].
+    `checks` are `energy`, `position_residual` and `velocity_residual`.
     `finer` makes the same motion with rows that show it, where those that were asked for are too few to draw it, else
     None; with True, with so many that curves look smooth. A copy that comes from another process (pickle) has the rows
     alone.
@@ -173,9 +198,7 @@ class Trajectory:
 
     model: str
     columns: Sequence[Column]
-    position_residual: Floats
-    velocity_residual: Floats
-    energy: Floats
+    checks: Table
     invariants: tuple[InvariantRecord, ...]
     moved: tuple[MovedRow, ...]
     statistics: Statistics
@@ -197,6 +220,21 @@ class Trajectory:
     @property
     def time(self) -> Floats:
         return self.columns[0].values
+
+    @property
+    def energy(self) -> Floats:
+        """energy() [J] at each row."""
+        return self.checks[0]
+
+    @property
+    def position_residual(self) -> Floats:
+        """Largest violation of the constraints on positions at each row, in the units of the rows of constraints."""
+        return self.checks[1]
+
+    @property
+    def velocity_residual(self) -> Floats:
+        """The same of all constraints, as they restrict rates."""
+        return self.checks[2]
 
     @property
     def names(self) -> tuple[str, ...]:

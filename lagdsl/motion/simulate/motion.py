@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from math import isfinite
-from time import perf_counter
 from typing import NoReturn
 
 import numpy as np
 
 from lagdsl.derivation.structure.names import located, place
-from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.engines.runtime.run import Run
 from lagdsl.engines.runtime.structures import Status
@@ -31,14 +28,10 @@ from lagdsl.motion.simulate.initialize import InitialState
 from lagdsl.motion.simulate.messages import Course, report_fault
 from lagdsl.motion.simulate.resolution import Resolution, hidden
 from lagdsl.motion.simulate.state_words import state_values, time_text
-from lagdsl.motion.simulate.table import heads_of, trajectory
+from lagdsl.motion.simulate.stepping import Stepping
+from lagdsl.motion.simulate.table import heads_of, recorded_by, trajectory
 from lagdsl.motion.simulate.unknown_outputs import State, UnknownOutputs
 
-# Steps in one call of C, so that an interrupt from the keyboard does not wait for long, and progress is told.
-STEPS = 1000
-# Of the first call, after which it is known what a step takes.
-FIRST_STEPS = 50
-MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
 _PROGRESS_STEP = 0.002
 _STATE = ("coordinate", "rate", "state")
 
@@ -80,7 +73,9 @@ class Motion:
     def __init__(self, task: Task) -> None:
         self._task, self._asked, self._run = task, task.asked, task.run
         self._first, self._last = float(task.times[0]), float(task.times[-1])
-        self._steps = 0
+        span, most = (self._first, self._last), task.asked.max_steps
+        told = None if task.progress is None else self._tell_progress
+        self._stepping = Stepping(task.asked.engine, task.run, span, most, told)
         self._shown = 0.0
         self._notes: list[str] = []
 
@@ -90,25 +85,20 @@ class Motion:
         status = self._ended(run.begin(self._first, task.initial.x))
         self._tell_lost_rank()
         if status is Status.OK:
-            status = self._controlled() if self._asked.controls is not None else self._over_breaks()
+            controlled = self._asked.controls is not None
+            status = self._controlled() if controlled else self._ended(self._stepping.over(self._breaks()))
         if status is Status.OK:
-            self._segment(partial(run.to, self._last))
+            self._ended(self._stepping.to(self._last))
         self._ended(run.end())
         found = self._check_outputs(self._so_far(self._task.finer, whole=True))
-        self._tell_rounded(found)
-        self._tell_doubted()
+        tell_rounded(self._asked.flat, found, self._task.sink)
+        tell_doubted(self._asked.flat, self._run.doubted(len(self._asked.flat.events.relations)), self._task.sink)
         tell_one_sided(self._run, self._task.sink)
         return found
 
     def _breaks(self) -> list[float]:
         """Times at which inputs may jump."""
         return [b for b in self._asked.signals.breaks if b > self._first]
-
-    def _over_breaks(self) -> Status:
-        """Up to the last of them. It is known behind the first one how long a step takes."""
-        breaks = np.array(self._breaks())
-        status = self._segment(self._run.over(breaks[:1])) if len(breaks) else Status.OK
-        return self._segment(self._run.over(breaks[1:])) if status is Status.OK and len(breaks) > 1 else status
 
     def _controlled(self) -> Status:
         """Up to the last of them, or of the times at which controllers act."""
@@ -117,7 +107,7 @@ class Motion:
         instants = {b: list[int]() for b in self._breaks()} | dict(controls.instants())
         for stop, acting in sorted(instants.items()):
             if status is Status.OK and stop > self._first:
-                status = self._segment(partial(run.to, stop))
+                status = self._ended(self._stepping.to(stop))
             if status is Status.OK and stop < self._last:
                 if acting:
                     self._check_law(controls.act(acting, run, self._task.sink))
@@ -136,23 +126,6 @@ class Motion:
         """u (nu,) of a row at time t."""
         u = self._asked.signals.at(t)
         return u if self._asked.controls is None else self._asked.controls.at(t, u)
-
-    def _tell_doubted(self) -> None:
-        """W0886 for each relation that turned by what may be the error of the method."""
-        relations = self._asked.flat.events.relations
-        times = self._run.doubted(len(relations)) if relations else ()
-        for relation, time in zip(relations, times, strict=True):
-            if np.isfinite(time):
-                self._task.sink.report("W0886", where(relation), name=relation.name, time=time_text(time))
-
-    def _tell_rounded(self, found: Trajectory) -> None:
-        """W0859 for each discrete Integer that is beyond the whole numbers that are exact."""
-        for discrete in self._asked.flat.events.discretes:
-            values = found[discrete.name] if discrete.kind == "Integer" else np.zeros(0)
-            rows = np.flatnonzero(np.abs(values) >= EXACT_INTEGERS)
-            if len(rows):
-                value, time = f"{values[rows[0]]:.6g}", time_text(float(found.time[rows[0]]))
-                self._task.sink.report("W0859", where(discrete), name=discrete.name, value=value, time=time)
 
     def _check_outputs(self, found: Trajectory) -> Trajectory:
         """E0857 for the first output that is no number, with all rows; a note for each without a limit."""
@@ -177,34 +150,6 @@ class Motion:
         statistics = replace(found.statistics, notes=(*found.statistics.notes, *notes))
         return replace(found, statistics=statistics)
 
-    def _segment(self, on: Callable[[int], Status]) -> Status:
-        """As far as `on` leads, which takes at most so many steps; whether the motion goes on there."""
-        while True:
-            steps = min(STEPS if self._steps > 0 else FIRST_STEPS, self._asked.max_steps - self._steps)
-            status = self._on(on, steps) if steps > 0 else Status.TOO_LONG
-            self._tell_progress()
-            if status is not Status.TOO_LONG or steps <= 0:
-                return self._ended(status)
-
-    def _on(self, on: Callable[[int], Status], steps: int) -> Status:
-        """At most so many steps; those that follow are taken in C where that pays and there is C by then."""
-        engine, run = self._asked.engine, self._run
-        if not isinstance(engine, AutoEngine):
-            status = on(steps)
-            self._steps += run.report.steps
-            return status
-        before, started = run.t, perf_counter()
-        status = on(steps)
-        report = run.report
-        self._steps += report.steps
-        if status in (Status.OK, Status.TOO_LONG):
-            seconds, reached = perf_counter() - started, max(report.t - before, 1e-9 * (self._last - self._first))
-            engine.worked(seconds, left=seconds * (self._last - report.t) / reached)
-            compiled = engine.hasten()
-            if compiled is not None:
-                run.change(compiled)
-        return status
-
     def _ended(self, status: Status) -> Status:
         """OK, or STOPPED where a `terminate` acted; all others end the run as an error."""
         if status not in (Status.OK, Status.STOPPED):
@@ -225,8 +170,7 @@ class Motion:
         raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
 
     def _tell_progress(self) -> None:
-        if self._task.progress is None:
-            return
+        assert self._task.progress is not None, "somebody listens"
         part = (self._run.t - self._first) / (self._last - self._first)
         if part - self._shown >= _PROGRESS_STEP or part >= 1.0:
             self._shown = part
@@ -250,27 +194,48 @@ class Motion:
         """With a note on the rows if it is the whole motion."""
         run, report, notes = self._run, self._run.report, tuple(self._notes)
         if report.changes:
-            notes += tuple(self._changes())
+            notes += change_notes(run.changes())
         if whole:
             resolution = Resolution(run.results.turns(run.size))
             notes += hidden(resolution, heads_of(self._asked.flat), self._task.times, report.t)
         automatic = "radau" if report.implicit else "dop853"
         statistics = Statistics(
             solver=automatic if self._asked.solver == "auto" else self._asked.solver,
-            steps=self._steps,
+            steps=self._stepping.steps,
             evaluations=report.counts.evaluations,
             jacobians=report.counts.jacobians,
             projections=report.projections,
             notes=notes,
         )
         task, asked = self._task, self._asked
-        return trajectory(asked.flat, asked.engine.layout, run, task.initial.moved, statistics, finer, asked.tangents)
+        recorded = recorded_by(asked.flat, run, asked.tangents)
+        return trajectory(asked.flat, asked.engine.layout, recorded, task.initial.moved, statistics, finer)
 
-    def _changes(self) -> list[str]:
-        """Changes of the method, where the runtime chooses it."""
-        names = {False: "dop853", True: "radau"}
-        why = {False: "accuracy limits the steps again", True: "stability, not accuracy, limited the steps"}
-        return [
-            f"changed from {names[not to]} to {names[to]} at t = {time_text(t)} s: {why[to]}"
-            for t, to in self._run.changes()
-        ]
+
+def change_notes(changes: Sequence[tuple[float, bool]]) -> tuple[str, ...]:
+    """Changes of the method, where the runtime chooses it."""
+    names = {False: "dop853", True: "radau"}
+    why = {False: "accuracy limits the steps again", True: "stability, not accuracy, limited the steps"}
+    return tuple(f"changed from {names[not to]} to {names[to]} at t = {time_text(t)} s: {why[to]}" for t, to in changes)
+
+
+def tell_doubted(flat: FlatModel, times: Sequence[float], sink: Sink) -> None:
+    """W0886 for each relation that turned by what may be the error of the method, with the first of these times."""
+    for relation, time in zip(flat.events.relations, times, strict=True):
+        if np.isfinite(time):
+            sink.report("W0886", where(relation), name=relation.name, time=time_text(time))
+
+
+def tell_rounded(flat: FlatModel, found: Trajectory, sink: Sink) -> None:
+    """W0859 for each discrete Integer that is beyond the whole numbers that are exact."""
+    for discrete in flat.events.discretes:
+        if discrete.kind != "Integer":
+            continue
+        column = found.column(discrete.name)
+        if max(abs(column.lowest), abs(column.highest)) < EXACT_INTEGERS:
+            continue
+        values = column.values
+        rows = np.flatnonzero(np.abs(values) >= EXACT_INTEGERS)
+        if len(rows):
+            value, time = f"{values[rows[0]]:.6g}", time_text(float(found.time[rows[0]]))
+            sink.report("W0859", where(discrete), name=discrete.name, value=value, time=time)

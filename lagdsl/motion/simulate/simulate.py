@@ -23,9 +23,11 @@ from lagdsl.motion.simulate.control import Control, Controls
 from lagdsl.motion.simulate.derivatives import check_controlled, check_differentiable, differentiate, directions_of
 from lagdsl.motion.simulate.initialize import find_start
 from lagdsl.motion.simulate.instants import equidistant
-from lagdsl.motion.simulate.motion import MOST_STEPS, Asked, Motion, Task
+from lagdsl.motion.simulate.islands.motion import motion_of_islands
+from lagdsl.motion.simulate.motion import Asked, Motion, Task
 from lagdsl.motion.simulate.placed import placed, start_values
 from lagdsl.motion.simulate.resolution import DEFAULT_ROWS, Resolution
+from lagdsl.motion.simulate.stepping import MOST_STEPS
 
 SOLVERS = ("auto", *METHODS, *FIXED_METHODS)
 # Solvers of SciPy and SUNDIALS that there were, and what takes their place.
@@ -216,7 +218,8 @@ def _motion(
     if asked.tangents:
         differentiate(flat, run, initial, asked.start, asked.tangents, directions_of(flat, engine, asked.tangents))
     task = Task(asked=asked, run=run, initial=initial, times=times, sink=sink, progress=progress, finer=finer)
-    found, turns = Motion(task).trajectory(), run.results.turns(run.size)
+    apart = motion_of_islands(task)
+    found, turns = apart if apart is not None else (Motion(task).trajectory(), run.results.turns(run.size))
     run.leave()
     return found, turns
 

@@ -10,40 +10,65 @@ import numpy as np
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.run import Run
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.foundation.record import remembered
+from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat.display import Display, display, display_rate
 from lagdsl.language.flat.listing import discrete_outputs
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.settings.aliases import other_names
 from lagdsl.motion.signals.moved import MovedRow
 from lagdsl.motion.signals.sensitivities import Sensitivities
-from lagdsl.motion.signals.trajectory import Columns, Event, Head, InvariantRecord, Statistics, Trajectory
+from lagdsl.motion.signals.trajectory import Columns, Event, Head, InvariantRecord, Statistics, Table, Trajectory
 
 
-def trajectory(
-    flat: FlatModel,
-    layout: Layout,
-    run: Run,
-    moved: tuple[MovedRow, ...],
-    statistics: Statistics,
-    finer: Callable[[bool], Trajectory | None] | None = None,
-    tangents: Sequence[str] = (),
-) -> Trajectory:
-    """All rows so far."""
+@record(kw_only=True)
+class Recorded:
+    """What was recorded along a motion. `columns` are those of the result, the time first, with the lowest and highest
+    values `ends` (2, columns but for time) in between; `drifts` (3, ni) are the start, the size and the largest drift
+    of every invariant, `limits` the permitted ones."""
+
+    columns: Table
+    ends: Floats
+    checks: Table
+    notes: Sequence[tuple[float, str, int]]
+    drifts: Floats
+    limits: Floats | None
+    sensitivities: Sensitivities | None = None
+
+
+def recorded_by(flat: FlatModel, run: Run, tangents: Sequence[str] = ()) -> Recorded:
+    """All that a run has recorded so far."""
     places = _columns_of_rows(flat)
     whole = run.results.rows().T.copy()
     ends = run.results.extremes()
     if isinstance(places, list):
         ends = ends[:, [place - 1 for place in places[1:]]]
-    derivatives = sensitivities_of(flat, run, tangents) if tangents else None
-    events = events_of(flat, layout, run.results.notes)
+    return Recorded(
+        columns=whole[places],
+        ends=ends,
+        checks=whole[-3:],
+        notes=run.results.notes,
+        drifts=run.results.drifts,
+        limits=run.settings.invariant_tolerance,
+        sensitivities=sensitivities_of(flat, run, tangents) if tangents else None,
+    )
+
+
+def trajectory(
+    flat: FlatModel,
+    layout: Layout,
+    recorded: Recorded,
+    moved: tuple[MovedRow, ...],
+    statistics: Statistics,
+    finer: Callable[[bool], Trajectory | None] | None = None,
+) -> Trajectory:
+    """What was recorded, by the names of the model."""
+    derivatives = recorded.sensitivities
+    events = events_of(flat, layout, recorded.notes)
     return Trajectory(
         model=flat.name,
-        columns=Columns(heads_of(flat), whole[places], ends, other_names(flat)),
-        position_residual=whole[-2],
-        velocity_residual=whole[-1],
-        energy=whole[-3],
-        invariants=_invariants(flat, run) if flat.invariants else (),
+        columns=Columns(heads_of(flat), recorded.columns, recorded.ends, other_names(flat)),
+        checks=recorded.checks,
+        invariants=_invariants(flat, recorded) if flat.invariants else (),
         moved=moved,
         statistics=statistics,
         events=events if derivatives is None else differentiated(events, derivatives.names, derivatives.times),
@@ -66,13 +91,12 @@ def differentiated(events: tuple[Event, ...], names: Sequence[str], times: Float
     )
 
 
-def _invariants(flat: FlatModel, run: Run) -> tuple[InvariantRecord, ...]:
+def _invariants(flat: FlatModel, recorded: Recorded) -> tuple[InvariantRecord, ...]:
     """Drift of every invariant."""
-    tolerance = run.settings.invariant_tolerance
-    limits = [] if tolerance is None else tolerance.tolist()
+    limits = [] if recorded.limits is None else recorded.limits.tolist()
     return tuple(
         InvariantRecord(name=i.name, start=start, drift=drift, limit=limit * size)
-        for i, start, size, drift, limit in zip(flat.invariants, *run.results.drifts.tolist(), limits, strict=True)
+        for i, start, size, drift, limit in zip(flat.invariants, *recorded.drifts.tolist(), limits, strict=True)
     )
 
 

@@ -21,9 +21,9 @@ from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.signals.inputs import given_inputs, is_allowed, signals
 from lagdsl.motion.simulate.initial_words import FAR
 from lagdsl.motion.simulate.initialize import places_of
-from lagdsl.motion.simulate.motion import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.motion.simulate.placed import settings_of
 from lagdsl.motion.simulate.simulate import grid
+from lagdsl.motion.simulate.stepping import FIRST_STEPS, MOST_STEPS, STEPS
 from lagdsl.motion.simulate.table import asked, heads_of, places_of_columns
 from lagdsl.motion.simulate.unknown_outputs import UnknownOutputs
 from lagdsl.motion.sweep.failure_words import FailureWords

@@ -13,7 +13,7 @@ from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.simulate.initial_words import report_found, report_no_start, report_numbers
 from lagdsl.motion.simulate.messages import Course, report_fault
-from lagdsl.motion.simulate.motion import MOST_STEPS
+from lagdsl.motion.simulate.stepping import MOST_STEPS
 from lagdsl.motion.sweep.run import first_error
 
 # Of so many runs it is looked for what contradicts each other at the start, which takes as long as many runs.

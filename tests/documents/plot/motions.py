@@ -18,9 +18,7 @@ def trajectory(*columns: Column, energy: np.ndarray | None = None, events: tuple
     return Trajectory(
         model="Model",
         columns=(column("time", T, "time", "s"), *columns),
-        position_residual=np.zeros(len(T)),
-        velocity_residual=np.zeros(len(T)),
-        energy=np.zeros(len(T)) if energy is None else energy,
+        checks=np.array([np.zeros(len(T)) if energy is None else energy, *np.zeros((2, len(T)))]),
         invariants=(),
         moved=(),
         statistics=Statistics(solver="dop853"),

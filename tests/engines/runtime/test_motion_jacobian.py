@@ -89,7 +89,7 @@ def test_the_derivatives_written_out_are_those_along_directions(text: str) -> No
     model = lagdsl.compile(text if "\n" in text else Path(text), engine="tape")
     engine = model._engine
     assert isinstance(engine, TapeEngine)
-    program, state = engine._program, _state(engine, 1)
+    program, state = engine.program, _state(engine, 1)
     found = motion_jacobian(program)
     assert found is not None
     n, nz = engine.layout.size(Group.Q), engine.layout.size(Group.Z)
@@ -130,7 +130,7 @@ def test_where_passes_over_directions_take_less_nothing_is_written_out() -> None
     for name in ("chain", "particle_on_sphere"):
         engine = lagdsl.compile(MODELS / f"{name}.lag", engine="tape")._engine
         assert isinstance(engine, TapeEngine)
-        assert motion_jacobian(engine._program) is None
+        assert motion_jacobian(engine.program) is None
         assert engine.differentiated() is None
 
 
@@ -138,6 +138,6 @@ def test_tapes_without_derivatives_are_as_they_were() -> None:
     """The function stands behind everything else; without it there is no trace of it."""
     engine = lagdsl.compile(MODELS / "double_pendulum.lag", engine="tape")._engine
     assert isinstance(engine, TapeEngine)
-    before = tape(engine._program)
-    assert len(tape(engine._program, parts=("jacobian",))) > len(before)
-    assert tape(engine._program) == before
+    before = tape(engine.program)
+    assert len(tape(engine.program, parts=("jacobian",))) > len(before)
+    assert tape(engine.program) == before

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.derivation.program.program import Layout, Slot
+from lagdsl.algebra.graph.graph import Graph
+from lagdsl.derivation.program.program import Layout, Program, Slot
 from lagdsl.engines.runtime.engines.engine import SingularSystem
 from lagdsl.engines.runtime.engines.numpy_model import Callbacks
 from lagdsl.foundation.numerics.rank import minimum_norm, null_space
@@ -147,6 +148,11 @@ class Hand:
             assertions=tuple(a.message for a in flat.assertions),
         )
         self.calls = 0
+
+    @property
+    def program(self) -> Program:
+        """Without functions: these are written by hand."""
+        return Program(name=self.flat.name, layout=self.layout, graph=Graph(), functions=())
 
     def with_redundant(self, *redundant: bool) -> Hand:
         self.layout = replace(self.layout, redundant=redundant)

@@ -11,7 +11,7 @@ from choice import chosen
 import lagdsl
 from lagdsl.engines.runtime.engines.auto_engine import AutoEngine
 from lagdsl.engines.runtime.run import Run
-from lagdsl.motion.simulate import motion
+from lagdsl.motion.simulate import stepping
 
 MODELS = Path(__file__).parents[3] / "models"
 # Smooth, contacts, closed loops with clocks, Zeno's series, friction, singular positions, stiff, states and inputs.
@@ -25,7 +25,7 @@ CHOSEN = chosen(
 def switches(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
     """The times at which runs go over to C: after five steps, for which the compiler is waited for."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(motion, "FIRST_STEPS", 5)
+    monkeypatch.setattr(stepping, "FIRST_STEPS", 5)
     worked, change, times = AutoEngine.worked, Run.change, []
 
     def wait(self: AutoEngine, seconds: float, left: float = 0.0) -> None:

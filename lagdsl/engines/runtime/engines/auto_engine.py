@@ -65,7 +65,7 @@ class AutoEngine(TapeEngine):
         self._worked += seconds
         if pays(max(left, self._worked), self._tape) and self._compiler is not None:
             parts = self._parts_of_native
-            self._build = _building(self._program, parts, self._name(self._compiler, parts))
+            self._build = _building(self.program, parts, self._name(self._compiler, parts))
             weakref.finalize(self, self._build.cancel)
 
     @property
@@ -82,7 +82,7 @@ class AutoEngine(TapeEngine):
         if library is None:
             self._compiler = None
             return None
-        self._compiled = _loaded(library, self._program, self._parts_of_native)
+        self._compiled = _loaded(library, self.program, self._parts_of_native)
         if self._compiled is not None:
             self._use(self._compiled)
         return self._compiled
@@ -94,13 +94,13 @@ class AutoEngine(TapeEngine):
             return taped
         if self._derivatives is None:
             name = self._name(self._compiler, _DERIVATIVES)
-            self._derivatives = _cached(name, self._program, _DERIVATIVES)
+            self._derivatives = _cached(name, self.program, _DERIVATIVES)
             if self._derivatives is None:
-                self._derivatives = build = _building(self._program, _DERIVATIVES, name)
+                self._derivatives = build = _building(self.program, _DERIVATIVES, name)
                 weakref.finalize(self, build.cancel)
         if not isinstance(self._derivatives, NativeModel) and not self._derivatives.is_running:
             library = self._derivatives.library
-            self._derivatives = taped if library is None else _loaded(library, self._program, _DERIVATIVES) or taped
+            self._derivatives = taped if library is None else _loaded(library, self.program, _DERIVATIVES) or taped
         return self._derivatives if isinstance(self._derivatives, NativeModel) else taped
 
     @property
@@ -121,7 +121,7 @@ class AutoEngine(TapeEngine):
     def _provide(self, part: str | None = None) -> NativeModel:
         if part is None and self._has_library() and self._compiler is not None:
             parts = self._parts_of_native
-            self._compiled = _cached(self._name(self._compiler, parts), self._program, parts)
+            self._compiled = _cached(self._name(self._compiler, parts), self.program, parts)
         return super()._provide(part) if part is not None or self._compiled is None else self._compiled
 
     def _has_library(self) -> bool:
@@ -147,12 +147,12 @@ class AutoEngine(TapeEngine):
     @cached_property
     def _tape(self) -> bytes:
         """Made when it is first asked for: not where a library lies in the cache."""
-        return tape(self._program)
+        return tape(self.program)
 
     @cached_property
     def _key(self) -> str:
         """The folder in the cache of libraries that were made of this program."""
-        return digest(self._program)[:20]
+        return digest(self.program)[:20]
 
     def _name(self, compiler: Compiler, parts: tuple[str, ...]) -> str:
         """Of the library in the cache with these parts: made of all that decides what is in it."""

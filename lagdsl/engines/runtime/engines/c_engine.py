@@ -68,7 +68,7 @@ class CEngine:
 
     def __init__(self, program: Program, library: Path | None = None, *, together: bool = False) -> None:
         self.layout = program.layout
-        self._program = program
+        self.program = program
         self._together = together and _goes_together(program)
         self._parts: dict[str, NativeModel] = {}
         self._runtime = runtime_library()
@@ -89,8 +89,8 @@ class CEngine:
 
     def worked(self, seconds: float, left: float = 0.0) -> None:
         """So many seconds of work were done, and so many are known to come."""
-        if self._together and self._model.part is None and pays(left, tape(self._program)):
-            self._use(_loaded(self._program, _STATES))
+        if self._together and self._model.part is None and pays(left, tape(self.program)):
+            self._use(_loaded(self.program, _STATES))
 
     def along(self) -> NativeModel:
         """A tape: that takes less time than compiling."""
@@ -102,7 +102,7 @@ class CEngine:
 
     def differentiated(self) -> NativeModel | None:
         """Compiled, too: it is called at every stage of a step."""
-        return self._part("jacobian") if motion_jacobian(self._program) is not None else None
+        return self._part("jacobian") if motion_jacobian(self.program) is not None else None
 
     def _taped(self, part: str) -> NativeModel:
         known = self._parts.get(f"tape of {part}")
@@ -110,7 +110,7 @@ class CEngine:
             from lagdsl.engines.backends.tape.emit import tape
             from lagdsl.engines.runtime.engines.tape_model import load_tape
 
-            known = self._parts[f"tape of {part}"] = load_tape(tape(self._program, parts=(part,)), part)
+            known = self._parts[f"tape of {part}"] = load_tape(tape(self.program, parts=(part,)), part)
         return known
 
     # ---- one state ---------------------------------------------------------------------------------------------------
@@ -156,7 +156,7 @@ class CEngine:
         if "load" in self.layout.kinds:  # loads are found where all arguments are arrays
             return otherwise
         reads = Reads(qdd=name in WITH_ACCELERATIONS)
-        return self._caller(lambda: value_of(self._program, name), otherwise, reads, scale)
+        return self._caller(lambda: value_of(self.program, name), otherwise, reads, scale)
 
     def _caller(
         self, told: Callable[[], Value], otherwise: Callable[..., Any], reads: Reads, scale: Scale | None = None
@@ -177,7 +177,7 @@ class CEngine:
             groups = BY_NAME[function].arguments
             places = [_ORDER.index(group) for group in groups]
             reads = Reads(q=Group.Q in groups, qdd=Group.QDD in groups, others=False)
-            call = self._caller(lambda: whole(self._program, function), lambda *_: None, reads)
+            call = self._caller(lambda: whole(self.program, function), lambda *_: None, reads)
 
             def known(arguments: Sequence[ArrayLike]) -> Floats | None:
                 given: list[Any] = [None] * len(_ORDER)
@@ -269,7 +269,7 @@ class CEngine:
         """
         many = self._spread(STATE, state)
         model = self._part(part_of(by))
-        lengths = motion_sizes(self._program)
+        lengths = motion_sizes(self.program)
         first_variable, count = variables(lengths, by)
         x = Range(first_variable, count)
         heights = (2 * lengths.q + lengths.z, len(self.layout.outputs))
@@ -318,7 +318,7 @@ class CEngine:
 
     def _provide(self, part: str | None = None) -> NativeModel:
         """The model, with the functions of several states or directions at once that are called `part`."""
-        return _loaded(self._program, part)
+        return _loaded(self.program, part)
 
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         sizes = ((ARGUMENT_NAMES[group], None if group is Group.TIME else self.layout.size(group)) for group in groups)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal, Protocol, TypeAlias, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.program.program import Layout, Program
 
 if TYPE_CHECKING:
     from lagdsl.engines.runtime.engines.native_model import NativeModel
@@ -33,6 +33,7 @@ class Engine(Protocol):
     space of J; values that are not finite are returned as they are, the caller says what they mean.
     """
 
+    program: Program
     layout: Layout
     name: EngineName
 

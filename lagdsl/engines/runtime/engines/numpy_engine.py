@@ -52,7 +52,7 @@ class NumpyEngine:
 
     def __init__(self, program: Program) -> None:
         self.layout = program.layout
-        self._program = program
+        self.program = program
         self._sizes = motion_sizes(program)
         self._bodies: dict[str, Callable[..., Sequence[float]]] = {}
         self._varied: dict[str, tuple[NDArray[np.intp], Floats]] = {}
@@ -65,7 +65,7 @@ class NumpyEngine:
     def native(self) -> NativeModel:
         """The model with functions that are called back."""
         if self._native is None:
-            self._native = numpy_model(self, self._program)
+            self._native = numpy_model(self, self.program)
         return self._native
 
     def along(self) -> None:
@@ -158,14 +158,14 @@ class NumpyEngine:
         stand in no body."""
         known = self._bodies.get(function)
         if known is None:
-            graph, definition = self._program.graph, self._functions[function]
+            graph, definition = self.program.graph, self._functions[function]
             elements = [node for block in definition.results for node in block.elements]
             varied = [index for index, node in enumerate(elements) if not graph.is_constant(node)]
             template = np.array([graph.value[node] if graph.is_constant(node) else 0.0 for node in elements])
             self._varied[function] = np.array(varied, dtype=np.intp), template
             kept = vector_block("varied", [elements[index] for index in varied])
             namespace: dict[str, Any] = {"inf": math.inf, "Any": Any}
-            text = body(self._program, replace(definition, results=(kept,)))
+            text = body(self.program, replace(definition, results=(kept,)))
             exec(compile(text, f"<generated {function}>", "exec"), namespace)
             known = self._bodies[function] = namespace[body_name(function)]
         return known

@@ -37,7 +37,7 @@ class TapeEngine(CEngine):
     @without_collection()
     def _made(self, part: str | None) -> bytes:
         """The tape with the functions that are called `part`; those of several states are on every tape."""
-        return tape(self._program, parts=(part,) if part in PARTS else ())
+        return tape(self.program, parts=(part,) if part in PARTS else ())
 
     @property
     def _crowd(self) -> int:
