@@ -5,7 +5,7 @@
 #ifndef LAG_COLUMN_SUMS_H
 #define LAG_COLUMN_SUMS_H
 
-#include "lag/methods/dop853.h"
+#include "lag/sensitivities/stage_equations.h"
 
 /* The first `width` numbers of each of `height` rows, which start `apart` numbers from one another. */
 typedef struct lag_rows_of_columns {
@@ -56,6 +56,10 @@ typedef struct lag_column_sums {
         const double *inputs, double *rates);
     /* Rates of the stage, into its slopes. */
     void (*stage)(const lag_motion_product *motion, const lag_columns_stage *of);
+    /* Decomposes a matrix (n, lag_stage_rows_apart(n)) with zeros behind its rows; 0: a pivot is zero or no number. */
+    int (*decompose)(size_t n, double *matrix, double *pivots);
+    /* The slopes (stages, n, lanes) at all stages where the columns of a block begin become what the stages add to these. */
+    void (*collocate)(const lag_stage_equations *equations, size_t lanes, double *slopes);
 } lag_column_sums;
 
 /* The sums for a processor with so many doubles in a register, or for any. */

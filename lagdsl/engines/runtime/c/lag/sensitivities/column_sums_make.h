@@ -1,8 +1,10 @@
-/* The sums of column_sums.h for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
+/* What column_sums.h declares, for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
 #ifndef LAG_COLUMN_SUMS_MAKE_H
 #define LAG_COLUMN_SUMS_MAKE_H
 
-#include "lag/sensitivities/column_sums.h"
+#include <string.h>
+
+#include "lag/sensitivities/stage_equations_make.h"
 
 #if LAG_ATTEMPTS_WIDE
 extern const lag_column_sums lag_column_sums_wide, lag_column_sums_widest;
@@ -139,6 +141,27 @@ LAG_ATTEMPT_INLINED void stage_inlined(const lag_motion_product *motion, const l
     }
 }
 
+/* Of a block: the slopes (stages, n, lanes) where its columns begin become what the stages add to these. */
+LAG_ATTEMPT_INLINED void collocate_inlined(const lag_stage_equations *e, size_t lanes, double *slopes)
+{
+    const size_t stages = e->table->stages;
+    const size_t m = e->n - e->nq;
+    const size_t coordinates = e->nq * lanes;
+    const size_t all = e->n * lanes;
+    for (size_t i = 0; i < stages; ++i) {
+        const lag_rows_of_columns by_coordinates = {m, e->nq, e->width, e->jacobian + i * m * e->width};
+        double *known = e->coordinates + i * coordinates;
+        weigh(stages, e->table->matrix[i], e->h, coordinates, all, slopes, NULL, known);
+        multiply_inlined(&by_coordinates, lanes, known, slopes + i * all + coordinates, e->right + i * m * lanes);
+    }
+    substitute_inlined(stages * m, e->matrix, e->pivots, lanes, e->right);
+    for (size_t i = 0; i < stages; ++i) {
+        double *to = slopes + i * all;
+        weigh(stages, e->table->matrix[i], e->h, coordinates, m * lanes, e->right, e->coordinates + i * coordinates, to);
+        memcpy(to + coordinates, e->right + i * m * lanes, m * lanes * sizeof(double));
+    }
+}
+
 LAG_COLUMNS_TARGET static void combine(
     size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
 {
@@ -170,6 +193,16 @@ LAG_COLUMNS_TARGET static void rates(const lag_motion_product *motion, const lag
 LAG_COLUMNS_TARGET static void stage(const lag_motion_product *motion, const lag_columns_stage *of)
 {
     stage_inlined(motion, of);
+}
+
+LAG_COLUMNS_TARGET static int decompose(size_t n, double *matrix, double *pivots)
+{
+    return decompose_inlined(n, matrix, pivots);
+}
+
+LAG_COLUMNS_TARGET static void collocate(const lag_stage_equations *equations, size_t lanes, double *slopes)
+{
+    collocate_inlined(equations, lanes, slopes);
 }
 
 #endif

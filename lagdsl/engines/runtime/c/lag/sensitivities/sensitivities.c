@@ -68,10 +68,41 @@ static size_t derivatives_of_motion(const lag_model *model)
 enum { MOST_DECOMPOSED = 256 };
 
 /* Rows of the equations of stages where they are decomposed. With more of them the corrections of Radau's own iteration cost less. */
-static size_t decomposed(size_t n)
+static size_t decomposed(const lag_model *model)
 {
-    const size_t rows = LAG_RADAU_STAGES * n;
+    const size_t rows = LAG_RADAU_STAGES * (model->nq + model->nz);
     return rows <= MOST_DECOMPOSED ? rows : 0;
+}
+
+/* Doubles of both ways to solve them. */
+static size_t memory_for_stages(const lag_model *model, size_t lanes)
+{
+    const lag_ode ode = lag_motion_ode(model);
+    const size_t n = lag_motion_size(model);
+    const size_t rows = decomposed(model);
+    const size_t matrix = rows * (lag_stage_rows_apart(rows) + 1 + n + model->nu + lanes) + LAG_RADAU_STAGES * model->nq * lanes;
+    return rows > 0 ? matrix + lag_radau_entries(&ode) : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
+}
+
+static void place_stages(lag_collocation_system *system, const lag_model *model, size_t lanes, double **memory)
+{
+    const lag_ode ode = lag_motion_ode(model);
+    const size_t n = lag_motion_size(model);
+    const size_t rows = decomposed(model);
+    lag_stage_equations *equations = &system->equations;
+    *equations = (lag_stage_equations){.nq = model->nq, .n = n, .width = n + model->nu};
+    if (rows > 0) {
+        equations->matrix = lag_take(memory, rows * lag_stage_rows_apart(rows));
+        equations->pivots = lag_take(memory, rows);
+        equations->jacobian = lag_take(memory, rows * equations->width);
+        equations->coordinates = lag_take(memory, LAG_RADAU_STAGES * model->nq * lanes);
+        equations->right = lag_take(memory, rows * lanes);
+        system->jacobian = lag_take(memory, lag_radau_entries(&ode));
+        return;
+    }
+    system->jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
+    system->slope = lag_take(memory, LAG_RADAU_STAGES * n);
+    system->z = lag_take(memory, LAG_RADAU_STAGES * n);
 }
 
 static size_t memory_for(const lag_model *model, size_t count)
@@ -83,8 +114,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t columns = all * (2 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
-    const lag_ode ode = lag_motion_ode(model);
-    const size_t implicit = LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n) + decomposed(n) * (decomposed(n) + 1) + n * (n + 4);
+    const size_t implicit = memory_for_stages(model, width) + n * (n + 4);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + motion + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
@@ -165,12 +195,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
     place_motion(&work->motion, model, columns->lanes, memory);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
-    const lag_ode ode = lag_motion_ode(model);
-    work->collocation.jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
-    work->collocation.slope = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.z = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.matrix = decomposed(n) > 0 ? lag_take(memory, decomposed(n) * decomposed(n)) : NULL;
-    work->collocation.pivots = lag_take(memory, decomposed(n));
+    place_stages(&work->collocation, model, columns->lanes, memory);
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)

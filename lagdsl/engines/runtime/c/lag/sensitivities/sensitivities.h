@@ -87,12 +87,12 @@ typedef struct lag_columns {
     double t_dense;   /* the end of the step whose dense output is ready; no number: of none */
 } lag_columns;
 
-/* The linear equations of the stages of Radau; n: size of the state. */
+/* The linear equations of the stages of Radau, decomposed or solved by corrections. */
 typedef struct lag_collocation_system {
-    double *jacobian;        /* (stages, entries) as Radau keeps them */
-    double *slope;           /* (stages, n) where the column begins, */
-    double *z;               /* (stages, n) and what the stages add to it */
-    double *matrix, *pivots; /* (stages n, stages n) (stages n) decomposed; null: the equations are too many */
+    lag_stage_equations equations; /* matrix null: they are too many */
+    double *jacobian;              /* (stages, entries) as Radau keeps them; decomposed: of one stage */
+    double *slope;                 /* (stages, n) where the column begins, */
+    double *z;                     /* (stages, n) and what the stages add to it */
 } lag_collocation_system;
 
 /* Arrays of ROS2. */
@@ -244,10 +244,11 @@ lag_status lag_sensitivities_instant(struct lag_run *run, const struct lag_cause
 /* which are those behind it from now on. */
 void lag_sensitivities_after(lag_companion *companion);
 
-/* Decomposes the equations of all columns for the last step, of which the Jacobians are there, into `matrix`; 0: they are singular. */
-int lag_collocation_decompose(const lag_stepper *stepper, const lag_radau_table *table, const lag_collocation_system *system);
-/* z of a column, by this, or by what was decomposed for the last step of the state; 0: corrections do not contract. Arrays of stages of `at` but z are lost. */
-int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system);
+/*
+ * The slopes of all columns (blocks, 16, n, lanes), at the stages of the last step where these begin, become what the stages add to them. The Jacobians
+ * at the stages are there. LAG_SINGULAR; LAG_MISSING: corrections do not contract.
+ */
+lag_status lag_columns_collocate(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_places *of_state);
 
 /* Entries of a direction: q, qd, z, u, p. */
 size_t lag_columns_variables(const lag_model *model);
@@ -263,8 +264,8 @@ lag_status lag_columns_look(lag_sensitivities *s, struct lag_run *run, double t,
 /* d/dt (q, qd, z) (2 nq + nz, lanes) along the directions (2 nq + nz + nu + np, lanes) of a block at x, and outputs (ny, lanes; null: not wanted). */
 lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, const double *directions,
     double *rates, double *y);
-/* lag_radau_jacobian() at x, which is looked at. */
-lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *entries);
+/* The Jacobian at stage i, at x, which is looked at, as work.collocation keeps it. */
+lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, size_t i);
 /*
  * Lets the direction (2 nq + nz + nu + np) of q, qd, z, u, p at the state x on the constraints satisfy these to first order, as
  * lag_projection_apply() lets the state satisfy them, with discretes along dw (nw), by differences of step h; 0: they stay.

@@ -178,11 +178,10 @@ static lag_status implicit_stage(lag_sensitivities *s, lag_run *run, const lag_r
     const lag_stepper *stepper = &run->stepper;
     const size_t n = size_of(run);
     const double t = stepper->t_before + of_state->table->node[i] * (stepper->t - stepper->t_before);
-    double *jacobian = s->work.collocation.jacobian + i * lag_radau_entries(stepper->ode);
     for (size_t j = 0; j < n; ++j) {
         s->work.state_of_stage[j] = stepper->x_before[j] + of_state->z[i * n + j];
     }
-    lag_status status = lag_columns_jacobian(s, run, t, s->work.state_of_stage, jacobian);
+    lag_status status = lag_columns_jacobian(s, run, t, s->work.state_of_stage, i);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         const lag_attempt_arrays at = arrays_of(s, run, block);
         memcpy(s->work.point, at.x, n * at.lanes * sizeof(double));
@@ -209,28 +208,17 @@ static lag_status implicit_step(lag_sensitivities *s, lag_run *run)
 {
     lag_radau_memo memo;
     const lag_radau_places of_state = last_of_state(&run->stepper, &memo);
-    const size_t n = size_of(run);
-    const size_t rows = of_state.table->stages * n;
-    double *z = s->work.collocation.z;
+    const size_t last = of_state.table->stages - 1;
     lag_status status = LAG_OK;
-    for (size_t i = 0; i < of_state.table->stages && status == LAG_OK; ++i) {
+    for (size_t i = 0; i <= last && status == LAG_OK; ++i) {
         status = implicit_stage(s, run, &of_state, i);
     }
-    if (status == LAG_OK && s->work.collocation.matrix != NULL && !lag_collocation_decompose(&run->stepper, of_state.table, &s->work.collocation)) {
-        status = LAG_SINGULAR;
-    }
-    for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
-        const size_t lane = k % s->columns.lanes;
-        const lag_attempt_arrays at = arrays_of(s, run, k / s->columns.lanes);
-        for (size_t i = 0; i < rows; ++i) {
-            s->work.collocation.slope[i] = at.slope[i * at.lanes + lane];
-        }
-        status = lag_columns_collocate(&run->stepper, &of_state, &s->work.collocation) ? LAG_OK : LAG_MISSING;
-        for (size_t i = 0; i < rows; ++i) {
-            at.slope[i * at.lanes + lane] = z[i];
-        }
-        for (size_t i = 0; i < n; ++i) {
-            at.x_new[i * at.lanes + lane] = at.x[i * at.lanes + lane] + z[rows - n + i];
+    status = status == LAG_OK ? lag_columns_collocate(s, &run->stepper, &of_state) : status;
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        const lag_attempt_arrays at = arrays_of(s, run, block);
+        const size_t count = at.size * at.lanes;
+        for (size_t i = 0; i < count; ++i) {
+            at.x_new[i] = at.x[i] + at.slope[last * count + i];
         }
     }
     return status;
