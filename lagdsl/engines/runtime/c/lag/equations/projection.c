@@ -33,7 +33,7 @@ size_t lag_projection_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t rows = m + most_held(model);
-    return 4 * m + 2 * rows + 5 * n + model->nz + rows * n + n * n + lag_correction_memory(model) +
+    return 4 * m + 2 * rows + 5 * n + model->nz + rows * n + m * n + n * n + lag_correction_memory(model) +
            lag_system_memory(n, rows);
 }
 
@@ -92,7 +92,8 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->step.force = projection->step.right + rows;
     projection->step.change = projection->step.force + n;
     projection->step.lam = projection->step.change + n;
-    projection->point = projection->step.lam + rows;
+    projection->step.response = projection->step.lam + rows;
+    projection->point = projection->step.response + m * n;
     projection->component = projection->point + n;
     projection->largest = projection->component + m;
     projection->step.correction = projection->largest + n + motion->model->nz;
@@ -116,6 +117,7 @@ lag_status lag_projection_look(lag_projection *projection, int velocities)
     lag_motion *motion = projection->motion;
     const lag_model *model = motion->model;
     projection->jacobian = motion->written.rows[velocities];
+    projection->step.factored = 0;
     return (velocities ? model->velocity_constraint : model->position_constraint)(&motion->at, projection->phi, projection->jacobian);
 }
 
@@ -159,35 +161,72 @@ static lag_status form_mass(lag_projection *projection)
     return projection->motion->model->mass_matrix(&projection->motion->at, projection->step.mass);
 }
 
-lag_status lag_projection_smallest(lag_projection *projection, int every)
+/* The system of all rows, or of those of position level. */
+static lag_status factor(lag_projection *projection, int every)
 {
     const lag_model *model = projection->motion->model;
+    lag_projection_step *step = &projection->step;
     const size_t n = model->nq;
     size_t rows = 0;
-    lag_system system;
-    if ((every || projection->rows == model->nc) &&
-        lag_correction(model, &projection->motion->at, projection->phi, projection->jacobian, projection->round_off, projection->step.correction,
-            projection->step.change) == LAG_OK) {
-        return LAG_OK;
-    }
     if (form_mass(projection) != LAG_OK) {
         return LAG_PROJECTION_FAILED;
     }
     for (size_t i = 0; i < model->nc; ++i) {
         if (every || model->position_level[i]) {
-            memcpy(projection->step.chosen + rows * n, projection->jacobian + i * n, n * sizeof(double));
-            projection->step.right[rows++] = -projection->phi[i];
+            memcpy(step->chosen + rows++ * n, projection->jacobian + i * n, n * sizeof(double));
         }
     }
-    lag_system_place(&system, n, rows, model->components, projection->step.system);
+    lag_system_place(&step->solver, n, rows, model->components, step->system);
     const size_t most = rows < model->rank ? rows : model->rank;
-    lag_status status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
+    lag_status status = lag_system_factor(&step->solver, step->mass, step->chosen, most, NULL);
     if (status == LAG_SINGULAR) {
         fill_mass(projection);
-        status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
+        status = lag_system_factor(&step->solver, step->mass, step->chosen, most, NULL);
+    }
+    step->factored = status == LAG_OK;
+    return status;
+}
+
+lag_status lag_projection_smallest(lag_projection *projection, int every)
+{
+    const lag_model *model = projection->motion->model;
+    lag_projection_step *step = &projection->step;
+    size_t rows = 0;
+    if ((every || projection->rows == model->nc) &&
+        lag_correction(model, &projection->motion->at, projection->phi, projection->jacobian, projection->round_off, step->correction, step->change) ==
+            LAG_OK) {
+        return LAG_OK;
+    }
+    const lag_status status = step->factored ? LAG_OK : factor(projection, every);
+    for (size_t i = 0; i < model->nc; ++i) {
+        if (every || model->position_level[i]) {
+            step->right[rows++] = -projection->phi[i];
+        }
     }
     if (status == LAG_OK) {
-        lag_system_solve(&system, projection->step.force, projection->step.right, projection->step.change, projection->step.lam);
+        lag_system_solve(&step->solver, step->force, step->right, step->change, step->lam);
+    }
+    return status;
+}
+
+lag_status lag_projection_response(lag_projection *projection, int every)
+{
+    const lag_model *model = projection->motion->model;
+    lag_projection_step *step = &projection->step;
+    const size_t n = model->nq;
+    size_t row = 0;
+    if (model->correction != NULL) {
+        return LAG_MISSING;
+    }
+    const lag_status status = step->factored ? LAG_OK : factor(projection, every);
+    lag_fill(model->nc * n, 0.0, step->response);
+    lag_fill(model->nc, 0.0, step->right);
+    for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
+        if (every || model->position_level[i]) {
+            step->right[row] = -1.0;
+            lag_system_solve(&step->solver, step->force, step->right, step->response + i * n, step->lam);
+            step->right[row++] = 0.0;
+        }
     }
     return status;
 }

@@ -111,7 +111,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t width = lanes_for(count);
     const size_t all = blocks_for(count) * width;
     const size_t variables = lag_columns_variables(model);
-    const size_t columns = all * (2 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
+    const size_t columns = all * (3 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
     const size_t implicit = memory_for_stages(model, width) + n * (n + 4);
@@ -262,6 +262,7 @@ lag_sensitivities *lag_sensitivities_place(
     columns->x = lag_take(&memory, all * variables);
     columns->w = lag_take(&memory, all * model->nw);
     columns->before = lag_take(&memory, all * n);
+    columns->inside = lag_take(&memory, all * variables);
     columns->extent = lag_take(&memory, all);
     columns->p = lag_take(&memory, count * variables);
     columns->of_parameters = lag_take(&memory, count);
@@ -337,31 +338,4 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
             s->columns.p[i * s->columns.moving + k] = one[i];
         }
     }
-}
-
-/* ---- rows ---- */
-
-lag_status lag_columns_project(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *directions)
-{
-    const lag_model *model = run->motion.model;
-    const size_t n = lag_motion_size(model);
-    const size_t lanes = s->columns.lanes;
-    const size_t variables = lag_columns_variables(model);
-    double *one = s->work.one;
-    lag_status status = LAG_OK;
-    if (model->nc > 0) {
-        lag_columns_set_delays(s, run, t);
-    }
-    for (size_t lane = 0; lane < lanes && status == LAG_OK && model->nc > 0; ++lane) {
-        double *w = one + variables;
-        lag_columns_get(s, lane, variables, directions, 0, one);
-        lag_columns_get(s, block * lanes + lane, model->nw, s->columns.w, model->nw, w);
-        if (lag_any(variables + model->nw, one)) {
-            status = lag_projection_tangent(&run->projection, t, x, w, lag_columns_step(s, run, w), one);
-        }
-        for (size_t i = 0; i < n; ++i) {
-            directions[i * lanes + lane] = one[i];
-        }
-    }
-    return status;
 }

@@ -77,6 +77,7 @@ typedef struct lag_columns {
     double *x;        /* (blocks, 2 nq + nz + nu + np, lanes) s at time t, and the directions of inputs and parameters */
     double *w;        /* (blocks, nw, lanes) of discretes */
     double *before;   /* (blocks, 2 nq + nz, lanes) s where the last step began */
+    double *inside;   /* (blocks, 2 nq + nz + nu + np, lanes) at a time within it */
     lag_parameter_entries entries;
     int shifted;      /* some column is along inputs */
     size_t moving;    /* so many columns are along parameters, */
@@ -267,12 +268,10 @@ lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t b
 /* The Jacobian at stage i, at x, which is looked at, as work.collocation keeps it. */
 lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, size_t i);
 /*
- * Lets the direction (2 nq + nz + nu + np) of q, qd, z, u, p at the state x on the constraints satisfy these to first order, as
- * lag_projection_apply() lets the state satisfy them, with discretes along dw (nw), by differences of step h; 0: they stay.
+ * Lets the directions (blocks, 2 nq + nz + nu + np, lanes) of all columns at the state x on the constraints satisfy these to first order, as
+ * lag_projection_apply() lets the state satisfy them.
  */
-lag_status lag_projection_tangent(lag_projection *projection, double t, const double *x, const double *dw, double h, double *direction);
-/* The same for the columns of a block. */
-lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, double *directions);
+lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *directions);
 /* Columns of delayed values at time t, into those of the discretes. */
 void lag_columns_set_delays(lag_sensitivities *s, struct lag_run *run, double t);
 /* The motion begins; its last step up to time t is the past of delayed values. */

@@ -274,7 +274,6 @@ lag_status lag_sensitivities_step(lag_run *run)
     lag_sensitivities *s = lag_sensitivities_of(run);
     lag_stepper *stepper = &run->stepper;
     const double h = stepper->t - stepper->t_before;
-    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
     double error = 0.0;
     if (stepper->method == &lag_collocation) { /* across a singular position, where neighbours go on along other branches */
         s->fault.t = stepper->t_before;
@@ -305,10 +304,7 @@ lag_status lag_sensitivities_step(lag_run *run)
         remember_slopes(s, run->motion.model, LAG_DOP853_END, stepper->t, stepper->x, size_of(run));
     }
     stepper->h = error > 0.0 && !rounding ? fmin(stepper->h, h * fmin(factor, 1.0 / LAG_DOP853_SHRINK)) : stepper->h;
-    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        status = lag_columns_project(s, run, block, stepper->t, stepper->x, s->columns.x + block * height);
-    }
-    return status;
+    return lag_columns_project(s, run, stepper->t, stepper->x, s->columns.x);
 }
 
 /* The stages of the dense output, whose terms are found for all blocks. */

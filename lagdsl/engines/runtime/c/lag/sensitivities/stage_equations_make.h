@@ -29,7 +29,15 @@ LAG_ATTEMPT_INLINED void weigh(
 
 LAG_ATTEMPT_INLINED void swap_rows(size_t count, double *a, double *b)
 {
-    for (size_t i = 0; i < count; ++i) {
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        const lag_wide kept = lag_wide_at(a + i);
+        lag_wide_to(a + i, lag_wide_at(b + i));
+        lag_wide_to(b + i, kept);
+    }
+#endif
+    for (; i < count; ++i) {
         const double kept = a[i];
         a[i] = b[i];
         b[i] = kept;
@@ -68,16 +76,30 @@ LAG_ATTEMPT_INLINED void subtract_from_one(size_t first, size_t n, size_t k, con
     }
 }
 
+/* The row from k on with the largest number in column k. */
+LAG_ATTEMPT_INLINED size_t find_pivot(size_t n, size_t apart, const double *a, size_t k)
+{
+    const double *entry = a + k * apart + k;
+    double most = fabs(*entry);
+    size_t best = k;
+    for (size_t i = k + 1; i < n; ++i) {
+        entry += apart;
+        const double size = fabs(*entry);
+        if (size > most) {
+            most = size;
+            best = i;
+        }
+    }
+    return best;
+}
+
 /* P a = L U, by outer products with partial pivoting. Source: see lag/elimination/lu.c. */
 LAG_ATTEMPT_INLINED int decompose_inlined(size_t n, double *a, double *pivot)
 {
     const size_t apart = lag_stage_rows_apart(n);
     for (size_t k = 0; k < n; ++k) {
         double *pivot_row = a + k * apart;
-        size_t best = k;
-        for (size_t i = k + 1; i < n; ++i) {
-            best = fabs(a[i * apart + k]) > fabs(a[best * apart + k]) ? i : best;
-        }
+        const size_t best = find_pivot(n, apart, a, k);
         if (best != k) {
             swap_rows(n, pivot_row, a + best * apart);
         }
