@@ -11,7 +11,7 @@ from pathlib import Path
 _LINK = {
     "linux": (
         "-shared",
-        "-g",
+        "-s",
         *("-Wl," + word for word in ("-Bsymbolic", "--build-id=none", "-z,defs", "--gc-sections")),
     ),
     "windows": ("-shared", "-s", "-Wl,--gc-sections"),

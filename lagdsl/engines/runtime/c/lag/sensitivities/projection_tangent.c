@@ -60,8 +60,24 @@ static lag_status correct(lag_projection *projection, int rates, int responds, d
     return LAG_OK;
 }
 
+/* The Jacobian of the conditions, and the response to residuals, which is that of positions where all rows are of position level; *responds: there is one. */
+static lag_status prepare(lag_projection *projection, int rates, int *responds)
+{
+    if (rates && *responds && projection->rows == projection->motion->model->nc) {
+        return LAG_OK;
+    }
+    projection->step.formed = 0;
+    lag_status status = lag_projection_look(projection, rates);
+    if (status != LAG_OK) {
+        return status;
+    }
+    status = lag_projection_response(projection, rates);
+    *responds = status == LAG_OK;
+    return status == LAG_OK || status == LAG_MISSING ? LAG_OK : LAG_PROJECTION_FAILED;
+}
+
 /* All columns onto the linearized conditions on positions, or on rates. */
-static lag_status project(lag_sensitivities *s, lag_run *run, int rates, double *directions)
+static lag_status project(lag_sensitivities *s, lag_run *run, int rates, int *responds, double *directions)
 {
     const lag_model *model = run->motion.model;
     const size_t n = model->nq;
@@ -75,16 +91,13 @@ static lag_status project(lag_sensitivities *s, lag_run *run, int rates, double 
     along.dz = one + 2 * n;
     along.du = along.dz + model->nz;
     along.dp = along.du + model->nu;
-    run->projection.step.formed = 0;
-    lag_status status = lag_projection_look(&run->projection, rates);
-    const lag_status found = status == LAG_OK ? lag_projection_response(&run->projection, rates) : status;
-    status = found == LAG_OK || found == LAG_MISSING ? status : LAG_PROJECTION_FAILED;
+    lag_status status = prepare(&run->projection, rates, responds);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
         lag_columns_get(s, k, variables, directions, variables, one);
         lag_columns_get(s, k, model->nw, s->columns.w, model->nw, w);
         if (lag_any(variables + model->nw, one)) {
             status = find_residuals(s, run, rates, &along, w);
-            status = status == LAG_OK ? correct(&run->projection, rates, found == LAG_OK, to) : status;
+            status = status == LAG_OK ? correct(&run->projection, rates, *responds, to) : status;
             lag_columns_put(s, k, n, to, directions + (rates ? n * s->columns.lanes : 0), variables);
         }
     }
@@ -98,6 +111,7 @@ lag_status lag_columns_project(lag_sensitivities *s, lag_run *run, double t, con
     }
     lag_columns_set_delays(s, run, t);
     lag_motion_set_state(&run->motion, t, x);
-    const lag_status status = run->projection.rows > 0 ? project(s, run, 0, directions) : LAG_OK;
-    return status == LAG_OK ? project(s, run, 1, directions) : status;
+    int responds = 0;
+    const lag_status status = run->projection.rows > 0 ? project(s, run, 0, &responds, directions) : LAG_OK;
+    return status == LAG_OK ? project(s, run, 1, &responds, directions) : status;
 }

@@ -80,8 +80,18 @@ static size_t memory_for_stages(const lag_model *model, size_t lanes)
     const lag_ode ode = lag_motion_ode(model);
     const size_t n = lag_motion_size(model);
     const size_t rows = decomposed(model);
-    const size_t matrix = rows * (lag_stage_rows_apart(rows) + 1 + n + model->nu + lanes) + LAG_RADAU_STAGES * model->nq * lanes;
-    return rows > 0 ? matrix + lag_radau_entries(&ode) : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
+    const size_t matrix = (rows + 1) * lag_stage_rows_apart(rows) + LAG_ATTEMPT_LANES;
+    const size_t columns = rows * (1 + n + model->nu + lanes) + LAG_RADAU_STAGES * model->nq * lanes;
+    return rows > 0 ? matrix + columns + lag_radau_entries(&ode) : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
+}
+
+/* The next `count` doubles from where a register begins; there is room for as many as it holds. */
+static double *take_aligned(double **memory, size_t count)
+{
+    const uintptr_t bytes = LAG_ATTEMPT_LANES * sizeof(double);
+    const uintptr_t over = (uintptr_t)*memory % bytes;
+    double *start = lag_take(memory, LAG_ATTEMPT_LANES + count);
+    return start + (over == 0 ? 0 : (bytes - over) / sizeof(double));
 }
 
 static void place_stages(lag_collocation_system *system, const lag_model *model, size_t lanes, double **memory)
@@ -92,7 +102,7 @@ static void place_stages(lag_collocation_system *system, const lag_model *model,
     lag_stage_equations *equations = &system->equations;
     *equations = (lag_stage_equations){.nq = model->nq, .n = n, .width = n + model->nu};
     if (rows > 0) {
-        equations->matrix = lag_take(memory, rows * lag_stage_rows_apart(rows));
+        equations->matrix = take_aligned(memory, (rows + 1) * lag_stage_rows_apart(rows));
         equations->pivots = lag_take(memory, rows);
         equations->jacobian = lag_take(memory, rows * equations->width);
         equations->coordinates = lag_take(memory, LAG_RADAU_STAGES * model->nq * lanes);

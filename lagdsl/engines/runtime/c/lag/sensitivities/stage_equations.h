@@ -21,15 +21,15 @@ typedef struct lag_stage_equations {
     double h;
     double *jacobian;        /* (stages, m, width) of the others, by n first columns of */
     size_t width;
-    double *matrix, *pivots; /* (stages m, lag_stage_rows_apart()) (stages m) */
+    double *matrix, *pivots; /* (stages m + 1, lag_stage_rows_apart()) (stages m) */
     double *coordinates;     /* (stages, nq, lanes) */
     double *right;           /* (stages, m, lanes) */
 } lag_stage_equations;
 
-/* Numbers from one row of a matrix of so many rows to the next: behind its end there is room for a register. */
+/* Numbers from one row of a matrix of so many rows to the next: whole registers. */
 static inline size_t lag_stage_rows_apart(size_t rows)
 {
-    return rows + LAG_ATTEMPT_LANES;
+    return (rows + LAG_ATTEMPT_LANES - 1) / LAG_ATTEMPT_LANES * LAG_ATTEMPT_LANES;
 }
 
 #endif

@@ -45,14 +45,14 @@ LAG_ATTEMPT_INLINED void swap_rows(size_t count, double *a, double *b)
 }
 
 #if defined(__GNUC__)
-/* Four rows less their parts of the row of the pivot, from column `first` on; what stands behind their ends does not matter. */
-LAG_ATTEMPT_INLINED void subtract_from_four(size_t first, size_t n, size_t apart, size_t k, const double *pivot_row, double *a)
+/* Four rows less their parts of the row of pivot k, which is zero up to there, from column `first` on. */
+LAG_ATTEMPT_INLINED void subtract_from_four(size_t first, size_t apart, size_t k, const double *pivot_row, double *a)
 {
     double *b = a + apart;
     double *c = b + apart;
     double *d = c + apart;
     const double of_a = a[k], of_b = b[k], of_c = c[k], of_d = d[k];
-    for (size_t j = first; j < n; j += LAG_WIDTH) {
+    for (size_t j = first; j < apart; j += LAG_WIDTH) {
         const lag_wide row = lag_wide_at(pivot_row + j);
         lag_wide_to(a + j, lag_wide_at(a + j) - of_a * row);
         lag_wide_to(b + j, lag_wide_at(b + j) - of_b * row);
@@ -62,16 +62,16 @@ LAG_ATTEMPT_INLINED void subtract_from_four(size_t first, size_t n, size_t apart
 }
 #endif
 
-LAG_ATTEMPT_INLINED void subtract_from_one(size_t first, size_t n, size_t k, const double *pivot_row, double *a)
+LAG_ATTEMPT_INLINED void subtract_from_one(size_t first, size_t apart, size_t k, const double *pivot_row, double *a)
 {
     size_t j = first;
     const double part = a[k];
 #if defined(__GNUC__)
-    for (; j < n; j += LAG_WIDTH) {
+    for (; j + LAG_WIDTH <= apart; j += LAG_WIDTH) {
         lag_wide_to(a + j, lag_wide_at(a + j) - part * lag_wide_at(pivot_row + j));
     }
 #endif
-    for (; j < n; ++j) {
+    for (; j < apart; ++j) {
         a[j] -= part * pivot_row[j];
     }
 }
@@ -93,32 +93,36 @@ LAG_ATTEMPT_INLINED size_t find_pivot(size_t n, size_t apart, const double *a, s
     return best;
 }
 
-/* P a = L U, by outer products with partial pivoting. Source: see lag/elimination/lu.c. */
+/* P a = L U, by outer products with partial pivoting; one more row is room for that of the pivot. Source: see lag/elimination/lu.c. */
 LAG_ATTEMPT_INLINED int decompose_inlined(size_t n, double *a, double *pivot)
 {
     const size_t apart = lag_stage_rows_apart(n);
+    double *pivot_row = a + n * apart;
     for (size_t k = 0; k < n; ++k) {
-        double *pivot_row = a + k * apart;
         const size_t best = find_pivot(n, apart, a, k);
+        const size_t first = (k + 1) / LAG_ATTEMPT_LANES * LAG_ATTEMPT_LANES;
         if (best != k) {
-            swap_rows(n, pivot_row, a + best * apart);
+            swap_rows(apart, a + k * apart, a + best * apart);
         }
         pivot[k] = (double)best;
-        if (!(fabs(pivot_row[k]) > 0.0)) {
+        if (!(fabs(a[k * apart + k]) > 0.0)) {
             return 0;
         }
-        const double by = 1.0 / pivot_row[k];
+        for (size_t j = first; j < apart; ++j) {
+            pivot_row[j] = j > k ? a[k * apart + j] : 0.0;
+        }
+        const double by = 1.0 / a[k * apart + k];
         for (size_t i = k + 1; i < n; ++i) {
             a[i * apart + k] *= by;
         }
         size_t i = k + 1;
 #if defined(__GNUC__)
         for (; i + 4 <= n; i += 4) {
-            subtract_from_four(k + 1, n, apart, k, pivot_row, a + i * apart);
+            subtract_from_four(first, apart, k, pivot_row, a + i * apart);
         }
 #endif
         for (; i < n; ++i) {
-            subtract_from_one(k + 1, n, k, pivot_row, a + i * apart);
+            subtract_from_one(first, apart, k, pivot_row, a + i * apart);
         }
     }
     return 1;
