@@ -56,8 +56,8 @@ typedef struct lag_column_sums {
         const double *inputs, double *rates);
     /* Rates of the stage, into its slopes. */
     void (*stage)(const lag_motion_product *motion, const lag_columns_stage *of);
-    /* Decomposes a matrix (n, lag_stage_rows_apart(n)), with zeros behind its rows and room for one more of them; 0: a pivot is zero or no number. */
-    int (*decompose)(size_t n, double *matrix, double *pivots);
+    /* The matrix of the equations of stages, decomposed; 0: a pivot is zero or no number. */
+    int (*decompose)(const lag_stage_equations *equations);
     /* The slopes (stages, n, lanes) at all stages where the columns of a block begin become what the stages add to these. */
     void (*collocate)(const lag_stage_equations *equations, size_t lanes, double *slopes);
 } lag_column_sums;

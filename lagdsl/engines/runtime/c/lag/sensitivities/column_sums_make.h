@@ -195,9 +195,10 @@ LAG_COLUMNS_TARGET static void stage(const lag_motion_product *motion, const lag
     stage_inlined(motion, of);
 }
 
-LAG_COLUMNS_TARGET static int decompose(size_t n, double *matrix, double *pivots)
+LAG_COLUMNS_TARGET static int decompose(const lag_stage_equations *equations)
 {
-    return decompose_inlined(n, matrix, pivots);
+    form_inlined(equations);
+    return decompose_inlined(equations->table->stages * (equations->n - equations->nq), equations->matrix, equations->pivots);
 }
 
 LAG_COLUMNS_TARGET static void collocate(const lag_stage_equations *equations, size_t lanes, double *slopes)

@@ -5,53 +5,17 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
 #include "lag/sensitivities/sensitivities.h"
 
 /* ---- decomposed ---- */
-
-/* The rows of stage i, whose Jacobian has these rows. */
-static void form_rows(const lag_stage_equations *e, size_t i, const double *jacobian, double *to)
-{
-    const size_t stages = e->table->stages;
-    const size_t m = e->n - e->nq;
-    for (size_t k = 0; k < stages; ++k) {
-        const double by_coordinates = e->h * e->table->matrix[i][k];
-        for (size_t c = 0; c < e->nq; ++c) {
-            to[k * m + c] = -by_coordinates * jacobian[c];
-        }
-        lag_fill(m - e->nq, 0.0, to + k * m + e->nq);
-    }
-    for (size_t c = 0; c < m; ++c) {
-        to[i * m + c] -= jacobian[e->nq + c];
-    }
-    lag_fill(lag_stage_rows_apart(stages * m) - stages * m, 0.0, to + stages * m);
-}
-
-static lag_status decompose(const lag_sensitivities *s, const lag_stage_equations *e)
-{
-    const size_t stages = e->table->stages;
-    const size_t m = e->n - e->nq;
-    const size_t apart = lag_stage_rows_apart(stages * m);
-    for (size_t i = 0; i < stages; ++i) {
-        for (size_t r = 0; r < m; ++r) {
-            double *to = e->matrix + (i * m + r) * apart;
-            form_rows(e, i, e->jacobian + (i * m + r) * e->width, to);
-            for (size_t k = 0; k < stages; ++k) {
-                to[k * m + r] += e->table->slopes[i][k] / e->h;
-            }
-        }
-    }
-    return s->sums->decompose(stages * m, e->matrix, e->pivots) ? LAG_OK : LAG_SINGULAR;
-}
 
 static lag_status solve_decomposed(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_table *table)
 {
     lag_stage_equations *e = &s->work.collocation.equations;
     e->table = table;
     e->h = stepper->t - stepper->t_before;
-    const lag_status status = decompose(s, e);
+    const lag_status status = s->sums->decompose(e) ? LAG_OK : LAG_SINGULAR;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         s->sums->collocate(e, s->columns.lanes, s->work.slopes + block * LAG_DOP853_SLOPES * e->n * s->columns.lanes);
     }

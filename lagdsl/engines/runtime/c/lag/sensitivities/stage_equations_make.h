@@ -1,4 +1,4 @@
-/* Elimination and solution for columns in lanes, for one width of registers: part of column_sums_make.h. */
+/* Equations of stages decomposed, and solved for columns in lanes, for one width of registers: part of column_sums_make.h. */
 #ifndef LAG_STAGE_EQUATIONS_MAKE_H
 #define LAG_STAGE_EQUATIONS_MAKE_H
 
@@ -91,6 +91,40 @@ LAG_ATTEMPT_INLINED size_t find_pivot(size_t n, size_t apart, const double *a, s
         }
     }
     return best;
+}
+
+/* A row of the matrix, of stage i, from the row of the Jacobian there, but for the inverse of A. */
+LAG_ATTEMPT_INLINED void form_row(const lag_stage_equations *e, size_t i, const double *jacobian, double *to)
+{
+    const size_t stages = e->table->stages;
+    const size_t m = e->n - e->nq;
+    for (size_t k = 0; k < stages; ++k) {
+        const double by = -e->h * e->table->matrix[i][k];
+        for (size_t c = 0; c < m; ++c) {
+            to[k * m + c] = c < e->nq ? by * jacobian[c] : 0.0;
+        }
+    }
+    for (size_t c = 0; c < m; ++c) {
+        to[i * m + c] -= jacobian[e->nq + c];
+    }
+    for (size_t c = stages * m; c < lag_stage_rows_apart(stages * m); ++c) {
+        to[c] = 0.0;
+    }
+}
+
+LAG_ATTEMPT_INLINED void form_inlined(const lag_stage_equations *e)
+{
+    const size_t stages = e->table->stages;
+    const size_t m = e->n - e->nq;
+    for (size_t i = 0; i < stages; ++i) {
+        for (size_t r = 0; r < m; ++r) {
+            double *to = e->matrix + (i * m + r) * lag_stage_rows_apart(stages * m);
+            form_row(e, i, e->jacobian + (i * m + r) * e->width, to);
+            for (size_t k = 0; k < stages; ++k) {
+                to[k * m + r] += e->table->slopes[i][k] / e->h;
+            }
+        }
+    }
 }
 
 /* P a = L U, by outer products with partial pivoting; one more row is room for that of the pivot. Source: see lag/elimination/lu.c. */
