@@ -178,6 +178,75 @@ LAG_COLUMNS_TARGET static void dense(const lag_attempt_arrays *at, double *terms
     lag_attempt_dense(at, terms);
 }
 
+LAG_ATTEMPT_INLINED void interpolate_inlined(size_t count, const double *terms, double part, const double *base, double *to)
+{
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        lag_wide sum = {0.0};
+        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
+            sum = (sum + lag_wide_at(terms + k * count + i)) * (k % 2 == 0 ? part : 1.0 - part);
+        }
+        lag_wide_to(to + i, lag_wide_at(base + i) + sum);
+    }
+#endif
+    for (; i < count; ++i) {
+        double sum = 0.0;
+        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
+            sum = (sum + terms[k * count + i]) * (k % 2 == 0 ? part : 1.0 - part);
+        }
+        to[i] = base[i] + sum;
+    }
+}
+
+/* Adds to the squares (lanes) those of x (size, lanes) by the tolerances of the state. */
+LAG_ATTEMPT_INLINED void add_squares(size_t size, size_t lanes, const double *of_state, const double *x, double *squares)
+{
+    for (size_t i = 0; i < size; ++i) {
+        const double by = 1.0 / of_state[i];
+        size_t lane = 0;
+#if defined(__GNUC__)
+        for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) {
+            const lag_wide a = lag_wide_at(x + i * lanes + lane) * by;
+            lag_wide_to(squares + lane, lag_wide_at(squares + lane) + a * a);
+        }
+#endif
+        for (; lane < lanes; ++lane) {
+            const double a = x[i * lanes + lane] * by;
+            squares[lane] += a * a;
+        }
+    }
+}
+
+LAG_ATTEMPT_INLINED void tolerances_inlined(
+    const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to)
+{
+    double before[LAG_ATTEMPT_LANES] = {0.0};
+    double behind[LAG_ATTEMPT_LANES] = {0.0};
+    double length[LAG_ATTEMPT_LANES];
+    add_squares(at->size, at->lanes, of_state, at->x, before);
+    add_squares(at->size, at->lanes, of_state, at->x_new, behind);
+    for (size_t lane = 0; lane < at->lanes; ++lane) {
+        length[lane] = fmax(extent[lane], relative * sqrt(fmax(before[lane], behind[lane]) / (double)at->size));
+    }
+    for (size_t i = 0; i < at->size; ++i) {
+        for (size_t lane = 0; lane < at->lanes; ++lane) {
+            to[i * at->lanes + lane] = length[lane] > 0.0 ? length[lane] * of_state[i] : 1.0;
+        }
+    }
+}
+
+LAG_COLUMNS_TARGET static void interpolate(size_t count, const double *terms, double part, const double *base, double *to)
+{
+    interpolate_inlined(count, terms, part, base, to);
+}
+
+LAG_COLUMNS_TARGET static void tolerances(
+    const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to)
+{
+    tolerances_inlined(at, of_state, relative, extent, to);
+}
+
 LAG_COLUMNS_TARGET static void multiply(
     const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to)
 {

@@ -266,6 +266,7 @@ lag_sensitivities *lag_sensitivities_place(
     s->results = *rows;
     s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
     s->sums = lag_column_sums_of(width_of(along));
+    s->discretes = lag_places_of(model).contact;
     columns->lanes = lanes_for(count);
     columns->blocks = blocks_for(count);
     const size_t all = columns->blocks * columns->lanes;

@@ -189,6 +189,7 @@ typedef struct lag_sensitivities {
     lag_rosenbrock_system rosenbrock;
     lag_differences differences;
     const lag_column_sums *sums;
+    size_t discretes;        /* so many of them have places in a row */
     lag_columns_fault fault;
     double *scales;          /* (np) sizes of the parameters */
     unsigned char *chosen;   /* (2 nq + nz) start values that count as written */

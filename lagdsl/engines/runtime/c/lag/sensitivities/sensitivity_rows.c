@@ -23,13 +23,18 @@ static lag_status columns_at(lag_sensitivities *s, lag_run *run, double t, const
     return status == LAG_OK ? lag_columns_project(s, run, t, x, *found) : status;
 }
 
+/* lag_sensitivities_width() */
+static size_t width_of(const lag_sensitivities *s, const lag_model *model)
+{
+    return lag_motion_size(model) + s->discretes + model->ny;
+}
+
 lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, const double *x, double *derivatives)
 {
     const lag_model *model = run->motion.model;
     const size_t n = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
-    const size_t variables = lag_places_of(model).contact;
-    const size_t width = lag_sensitivities_width(model);
+    const size_t width = width_of(s, model);
     double *found = NULL;
     lag_status status = columns_at(s, run, t, x, &found);
     if (status == LAG_OK && model->ny > 0) {
@@ -43,8 +48,8 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
         for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
             double *to = derivatives + (block * lanes + lane) * width;
             lag_columns_get(s, lane, n, point, n, to);
-            lag_columns_get(s, block * lanes + lane, variables, s->columns.w, model->nw, to + n);
-            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + variables);
+            lag_columns_get(s, block * lanes + lane, s->discretes, s->columns.w, model->nw, to + n);
+            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + s->discretes);
         }
     }
     return status;
@@ -53,7 +58,7 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
 lag_status lag_columns_row(lag_run *run, size_t number, double t, const double *x)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
-    const size_t entries = s->of.count * lag_sensitivities_width(run->motion.model);
+    const size_t entries = s->of.count * width_of(s, run->motion.model);
     return s->results.rows == NULL ? LAG_OK : lag_sensitivities_get(s, run, t, x, s->results.rows + number * entries);
 }
 

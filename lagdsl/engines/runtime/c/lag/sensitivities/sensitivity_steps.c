@@ -108,36 +108,6 @@ static lag_status first_stage(lag_sensitivities *s, lag_run *run, const lag_atte
 }
 
 /*
- * Sizes that errors of a block are measured by: tolerances of the state for a change of order one of what it is differentiated by, and as parts of the size
- * of each column.
- */
-static void set_tolerances(const lag_sensitivities *s, const lag_run *run, size_t block, const lag_attempt_arrays *at)
-{
-    const double *tolerance = run->stepper.tolerance;
-    double length[LAG_ATTEMPT_LANES];
-    double before[LAG_ATTEMPT_LANES] = {0.0};
-    double behind[LAG_ATTEMPT_LANES] = {0.0};
-    for (size_t i = 0; i < at->size; ++i) {
-        const double per = 1.0 / tolerance[i];
-        for (size_t lane = 0; lane < at->lanes; ++lane) {
-            const double a = at->x[i * at->lanes + lane] * per;
-            const double b = at->x_new[i * at->lanes + lane] * per;
-            before[lane] += a * a;
-            behind[lane] += b * b;
-        }
-    }
-    for (size_t lane = 0; lane < at->lanes; ++lane) {
-        const double part = run->accuracy.relative * sqrt(fmax(before[lane], behind[lane]) / (double)at->size);
-        length[lane] = fmax(s->columns.extent[block * at->lanes + lane], part);
-    }
-    for (size_t i = 0; i < at->size; ++i) {
-        for (size_t lane = 0; lane < at->lanes; ++lane) {
-            s->work.tolerance[i * at->lanes + lane] = length[lane] > 0.0 ? length[lane] * tolerance[i] : 1.0;
-        }
-    }
-}
-
-/*
  * Error of the worst column as a part of what it may be. The local error of a method of order p goes with the (p + 1)th power of h over the time in which the
  * motion changes, and its derivative by what stretches this time is p + 1 times the error itself: so much is in order where the error of the state is.
  */
@@ -148,7 +118,7 @@ static double largest_error(lag_sensitivities *s, lag_run *run, lag_attempt_arra
     for (size_t block = 0; block < s->columns.blocks; ++block) {
         double error[LAG_ATTEMPT_LANES];
         move_to(s, run, block, at);
-        set_tolerances(s, run, block, at);
+        s->sums->tolerances(at, run->stepper.tolerance, run->accuracy.relative, s->columns.extent + block * at->lanes, s->work.tolerance);
         s->sums->errors(at, error);
         for (size_t lane = 0; lane < at->lanes; ++lane) {
             most = fmax(most, error[lane] / allowed);
@@ -346,14 +316,8 @@ lag_status lag_columns_dense(lag_sensitivities *s, lag_run *run, size_t block, d
         lag_columns_fixed_dense(s, run, block, h, part, to);
         return status;
     }
-    const double *terms = s->work.terms + block * LAG_DOP853_TERMS * count;
-    const double *before = s->columns.before + block * count;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        double sum = 0.0;
-        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
-            sum = (sum + terms[k * count + i]) * (k % 2 == 0 ? part : 1.0 - part);
-        }
-        to[i] = before[i] + sum;
+    if (status == LAG_OK) {
+        s->sums->interpolate(count, s->work.terms + block * LAG_DOP853_TERMS * count, part, s->columns.before + block * count, to);
     }
     return status;
 }
