@@ -64,22 +64,38 @@ static size_t derivatives_of_motion(const lag_model *model)
     return model->nq + model->nc + equations_of(model) * (model->nq + model->nz + lag_columns_variables(model));
 }
 
-/* Rows of equations of stages that are decomposed at most. */
-enum { MOST_DECOMPOSED = 256 };
+/*
+ * Equations of stages are decomposed where that takes less than the corrections of Radau's own iteration. A decomposition goes with the cube of its rows,
+ * in registers, once for all columns; each column needs several corrections, in single numbers. WORTH is how many multiplications of the one, times three,
+ * take as long as all corrections that have one multiplication each. Measured (AVX-512, tolerance 1e-8): both take the same time at
+ *
+ *                                   2 columns               10 columns
+ *     springs in a row, sparse      75 rows (WORTH 240)     205 rows (WORTH 390)
+ *     pendulums in a row, dense     140 rows (WORTH 130)    beyond 511 rows, where it takes 0.7 of the time
+ *
+ * The matrix has at most 8 MB.
+ */
+enum { WORTH = 200, MOST_DECOMPOSED = 1024 };
 
-/* Rows of the equations of stages where they are decomposed. With more of them the corrections of Radau's own iteration cost less. */
-static size_t decomposed(const lag_model *model)
+/* Rows of the equations of stages of so many columns where they are decomposed. */
+static size_t decomposed(const lag_model *model, size_t count)
 {
-    const size_t rows = LAG_RADAU_STAGES * (model->nq + model->nz);
-    return rows <= MOST_DECOMPOSED ? rows : 0;
+    const lag_ode ode = lag_motion_ode(model);
+    lag_radau_memo memo;
+    lag_radau_keep_band(&memo, &ode);
+    const double rows = (double)(LAG_RADAU_STAGES * lag_radau_others(&ode));
+    const double solution = (double)((1 + 4 * LAG_RADAU_PAIRS) * lag_radau_matrix(&ode, &memo)); /* numbers of pairs are complex */
+    const double correction = (double)(LAG_RADAU_STAGES * lag_radau_entries(&ode)) + solution;
+    return rows <= MOST_DECOMPOSED && rows * rows * rows <= WORTH * (double)count * correction ? (size_t)rows : 0;
 }
 
 /* Doubles of both ways to solve them. */
-static size_t memory_for_stages(const lag_model *model, size_t lanes)
+static size_t memory_for_stages(const lag_model *model, size_t count)
 {
     const lag_ode ode = lag_motion_ode(model);
     const size_t n = lag_motion_size(model);
-    const size_t rows = decomposed(model);
+    const size_t lanes = lanes_for(count);
+    const size_t rows = decomposed(model, count);
     const size_t matrix = (rows + 1) * lag_stage_rows_apart(rows) + LAG_ATTEMPT_LANES;
     const size_t columns = rows * (1 + n + model->nu + lanes) + LAG_RADAU_STAGES * model->nq * lanes;
     return rows > 0 ? matrix + columns + lag_radau_entries(&ode) : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
@@ -94,11 +110,12 @@ static double *take_aligned(double **memory, size_t count)
     return start + (over == 0 ? 0 : (bytes - over) / sizeof(double));
 }
 
-static void place_stages(lag_collocation_system *system, const lag_model *model, size_t lanes, double **memory)
+static void place_stages(lag_collocation_system *system, const lag_model *model, size_t count, double **memory)
 {
     const lag_ode ode = lag_motion_ode(model);
     const size_t n = lag_motion_size(model);
-    const size_t rows = decomposed(model);
+    const size_t lanes = lanes_for(count);
+    const size_t rows = decomposed(model, count);
     lag_stage_equations *equations = &system->equations;
     *equations = (lag_stage_equations){.nq = model->nq, .n = n, .width = n + model->nu};
     if (rows > 0) {
@@ -124,7 +141,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t columns = all * (3 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
-    const size_t implicit = memory_for_stages(model, width) + n * (n + 4);
+    const size_t implicit = memory_for_stages(model, count) + n * (n + 4);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + motion + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
@@ -181,7 +198,7 @@ static void place_motion(lag_motion_derivatives *motion, const lag_model *model,
     };
 }
 
-static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
+static void place_work(lag_columns_work *work, const lag_model *model, size_t count, const lag_columns *columns, double **memory)
 {
     const size_t n = lag_motion_size(model);
     const size_t all = columns->blocks * columns->lanes;
@@ -205,7 +222,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
     place_motion(&work->motion, model, columns->lanes, memory);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
-    place_stages(&work->collocation, model, columns->lanes, memory);
+    place_stages(&work->collocation, model, count, memory);
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)
@@ -281,7 +298,7 @@ lag_sensitivities *lag_sensitivities_place(
     columns->t = columns->t_before = columns->t_dense = (double)NAN;
     columns->rejected = (double)INFINITY;
     s->work.known.t = (double)NAN;
-    place_work(&s->work, model, columns, &memory);
+    place_work(&s->work, model, count, columns, &memory);
     s->rosenbrock.matrix = lag_take(&memory, n * n);
     s->rosenbrock.pivots = lag_take(&memory, n);
     s->rosenbrock.right = lag_take(&memory, n);
