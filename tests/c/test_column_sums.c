@@ -107,6 +107,42 @@ static void test_rates(size_t width, size_t lanes)
     }
 }
 
+/* Dense output and tolerances: bits of the narrowest registers, and of plain sums. */
+static void test_errors(size_t width, size_t lanes)
+{
+    unsigned long long seed = 3 + width + lanes;
+    double terms[LAG_DOP853_TERMS * SIZE * MOST], x[SIZE * MOST], behind[SIZE * MOST], of_state[SIZE], extent[MOST];
+    double found[SIZE * MOST], plain[SIZE * MOST];
+    const size_t count = SIZE * lanes;
+    draw_all(&seed, LAG_DOP853_TERMS * SIZE * MOST, terms);
+    draw_all(&seed, SIZE * MOST, x);
+    draw_all(&seed, SIZE * MOST, behind);
+    for (size_t i = 0; i < MOST; ++i) {
+        extent[i] = 0.1 * (double)i;
+        of_state[i % SIZE] = 1e-6 * (double)(1 + i);
+    }
+    lag_column_sums_of(0)->interpolate(count, terms, 0.3, x, plain);
+    lag_column_sums_of(width)->interpolate(count, terms, 0.3, x, found);
+    CHECK(memcmp(plain, found, count * sizeof(double)) == 0);
+    lag_column_sums_of(width)->interpolate(count, terms, 1.0, x, found);
+    for (size_t i = 0; i < count; ++i) {
+        CHECK_NEAR(found[i], x[i] + terms[i], 1e-15);
+    }
+    const lag_attempt_arrays at = {.size = SIZE, .lanes = lanes, .x = x, .x_new = behind};
+    lag_column_sums_of(width)->tolerances(&at, of_state, 1e-5, extent, found);
+    for (size_t k = 0; k < lanes; ++k) {
+        double before = 0.0, after = 0.0;
+        for (size_t i = 0; i < SIZE; ++i) {
+            before += pow(x[i * lanes + k] / of_state[i], 2.0);
+            after += pow(behind[i * lanes + k] / of_state[i], 2.0);
+        }
+        for (size_t i = 0; i < SIZE; ++i) {
+            const double length = fmax(extent[k], 1e-5 * sqrt(fmax(before, after) / SIZE));
+            CHECK_NEAR(found[i * lanes + k], length * of_state[i], 1e-13 * length * of_state[i]);
+        }
+    }
+}
+
 enum { STAGES = LAG_RADAU_STAGES, NZ = 1, M = NQ + NZ, N = NQ + M, ROWS = STAGES * M };
 
 /* h times f (stages, N, lanes) and the Jacobian times z, at stage i in lane k: of coordinates the rates, of the others by the rows of the Jacobian. */
@@ -159,6 +195,7 @@ int main(void)
         for (size_t lanes = 1; lanes <= MOST && has(width); lanes *= 2) {
             test_products(width, lanes);
             test_rates(width, lanes);
+            test_errors(width, lanes);
             for (size_t i = 0; i < LAG_RADAU_TABLES; ++i) {
                 test_stages(width, lanes, &lag_radau_tables[i]);
             }

@@ -1,4 +1,4 @@
-"""Derivatives along implicit steps: the equations of stages of a few columns are solved by corrections, of many decomposed."""
+"""Derivatives along implicit steps: equations of stages are solved by corrections for few columns, else decomposed."""
 
 from __future__ import annotations
 
