@@ -1,4 +1,4 @@
-/* What column_sums.h declares, for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
+/* Sums over columns and their equations of stages, for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
 #ifndef LAG_COLUMN_SUMS_MAKE_H
 #define LAG_COLUMN_SUMS_MAKE_H
 
