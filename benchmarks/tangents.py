@@ -62,11 +62,17 @@ def _stiff(engine: str) -> dict[str, float]:
     return _compared(model, list(model.parameters)[:10], solver="radau")
 
 
+def _elastic(engine: str) -> dict[str, float]:
+    model = lagdsl.compile(HERE / "models" / "elastic_slider_crank.lag", engine=engine)
+    return _compared(model, list(model.parameters)[:10], solver="radau")
+
+
 ROWS: dict[str, Callable[[str], dict[str, float]]] = {
     "double pendulum": _double_pendulum,
     "with gravity and friction": _ten,
     "7-axis arm": _arm,
     "stiff slider-crank": _stiff,
+    "slider-crank with elastic rod": _elastic,
 }
 
 
@@ -120,6 +126,8 @@ def section(found: dict[str, Any]) -> list[str]:
     ]
     for name in ROWS:
         for engine, rows in found["rows"].items():
+            if name not in rows:
+                continue
             row = rows[name]
             own = f"{row['run'] * 1e3:.2f} | {row['tangents'] * 1e3:.2f} | {row['tangents'] / row['run']:.1f}"
             lines += [f"| {name} | {row['columns']} | {engine} | {own} | {row['steps with derivatives']} |"]

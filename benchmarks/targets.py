@@ -250,6 +250,7 @@ def _derivatives(found: Results) -> list[Target]:
         ("the same by 10, with gravity and friction", "with gravity and friction", (3.5, 3.0)),
         ("a motion of the 7-axis arm by 70 inertial parameters", "7-axis arm", (12.0, 8.0)),
         ("stiff slider-crank by 10 parameters, Radau", "stiff slider-crank", (4.0, 2.0)),
+        ("slider-crank with elastic rod by 10 parameters, Radau", "slider-crank with elastic rod", (4.0, 3.0)),
     )
     return [
         Target(text, (must,) * 2, (stretch,) * 2, runs(name), "tangents", "{:.1f}")

@@ -1,4 +1,4 @@
-/* Sums over columns in lanes: all widths of registers give the bits of plain loops. */
+/* Sums over columns in lanes, and their equations of stages: all widths of registers give the same bits. */
 #include <string.h>
 
 #include "check.h"
@@ -107,12 +107,98 @@ static void test_rates(size_t width, size_t lanes)
     }
 }
 
+/* Dense output and tolerances: bits of the narrowest registers, and of plain sums. */
+static void test_errors(size_t width, size_t lanes)
+{
+    unsigned long long seed = 3 + width + lanes;
+    double terms[LAG_DOP853_TERMS * SIZE * MOST], x[SIZE * MOST], behind[SIZE * MOST], of_state[SIZE], extent[MOST];
+    double found[SIZE * MOST], plain[SIZE * MOST];
+    const size_t count = SIZE * lanes;
+    draw_all(&seed, LAG_DOP853_TERMS * SIZE * MOST, terms);
+    draw_all(&seed, SIZE * MOST, x);
+    draw_all(&seed, SIZE * MOST, behind);
+    for (size_t i = 0; i < MOST; ++i) {
+        extent[i] = 0.1 * (double)i;
+        of_state[i % SIZE] = 1e-6 * (double)(1 + i);
+    }
+    lag_column_sums_of(0)->interpolate(count, terms, 0.3, x, plain);
+    lag_column_sums_of(width)->interpolate(count, terms, 0.3, x, found);
+    CHECK(memcmp(plain, found, count * sizeof(double)) == 0);
+    lag_column_sums_of(width)->interpolate(count, terms, 1.0, x, found);
+    for (size_t i = 0; i < count; ++i) {
+        CHECK_NEAR(found[i], x[i] + terms[i], 1e-15);
+    }
+    const lag_attempt_arrays at = {.size = SIZE, .lanes = lanes, .x = x, .x_new = behind};
+    lag_column_sums_of(width)->tolerances(&at, of_state, 1e-5, extent, found);
+    for (size_t k = 0; k < lanes; ++k) {
+        double before = 0.0, after = 0.0;
+        for (size_t i = 0; i < SIZE; ++i) {
+            before += pow(x[i * lanes + k] / of_state[i], 2.0);
+            after += pow(behind[i * lanes + k] / of_state[i], 2.0);
+        }
+        for (size_t i = 0; i < SIZE; ++i) {
+            const double length = fmax(extent[k], 1e-5 * sqrt(fmax(before, after) / SIZE));
+            CHECK_NEAR(found[i * lanes + k], length * of_state[i], 1e-13 * length * of_state[i]);
+        }
+    }
+}
+
+enum { STAGES = LAG_RADAU_STAGES, NZ = 1, M = NQ + NZ, N = NQ + M, ROWS = STAGES * M };
+
+/* h times f (stages, N, lanes) and the Jacobian times z, at stage i in lane k: of coordinates the rates, of the others by the rows of the Jacobian. */
+static double slope_of(const lag_stage_equations *e, size_t lanes, const double *f, const double *z, size_t i, size_t row, size_t k)
+{
+    double sum = f[(i * N + row) * lanes + k] + (row < NQ ? z[(i * N + NQ + row) * lanes + k] : 0.0);
+    for (size_t j = 0; j < N && row >= NQ; ++j) {
+        sum += e->jacobian[(i * M + row - NQ) * e->width + j] * z[(i * N + j) * lanes + k];
+    }
+    return e->h * sum;
+}
+
+/* The stages solve z = h A (J z + f), with a Jacobian of its own at each of them; all widths agree to the bit. */
+static void test_stages(size_t width, size_t lanes, const lag_radau_table *table)
+{
+    unsigned long long seed = 11 + table->stages + lanes;
+    double jacobian[ROWS * (N + 1)], f[STAGES * N * MOST], z[STAGES * N * MOST], plain[STAGES * N * MOST];
+    double matrix[(ROWS + 1) * (ROWS + MOST)], pivots[ROWS], coordinates[STAGES * NQ * MOST], right[ROWS * MOST];
+    const lag_stage_equations e = {table, NQ, N, 0.3, jacobian, N + 1, matrix, pivots, coordinates, right};
+    draw_all(&seed, ROWS * (N + 1), jacobian);
+    draw_all(&seed, STAGES * N * MOST, f);
+    for (size_t i = 0; i < ROWS; i += M) { /* stiff */
+        jacobian[i * (N + 1)] -= 1e4;
+    }
+    memcpy(plain, f, sizeof f);
+    CHECK(lag_column_sums_of(0)->decompose(&e));
+    lag_column_sums_of(0)->collocate(&e, lanes, plain);
+    memcpy(z, f, sizeof f);
+    CHECK(lag_column_sums_of(width)->decompose(&e));
+    lag_column_sums_of(width)->collocate(&e, lanes, z);
+    CHECK(memcmp(z, plain, table->stages * N * lanes * sizeof(double)) == 0);
+    for (size_t i = 0; i < table->stages; ++i) {
+        for (size_t row = 0; row < N; ++row) {
+            for (size_t k = 0; k < lanes; ++k) {
+                double left = z[(i * N + row) * lanes + k];
+                for (size_t j = 0; j < table->stages; ++j) {
+                    left -= table->matrix[i][j] * slope_of(&e, lanes, f, z, j, row, k);
+                }
+                CHECK_NEAR(left, 0.0, 1e-12);
+            }
+        }
+    }
+    jacobian[0] = (double)NAN;
+    CHECK(!lag_column_sums_of(width)->decompose(&e));
+}
+
 int main(void)
 {
     for (size_t width = 2; width <= MOST; width *= 2) {
         for (size_t lanes = 1; lanes <= MOST && has(width); lanes *= 2) {
             test_products(width, lanes);
             test_rates(width, lanes);
+            test_errors(width, lanes);
+            for (size_t i = 0; i < LAG_RADAU_TABLES; ++i) {
+                test_stages(width, lanes, &lag_radau_tables[i]);
+            }
         }
     }
     (void)puts("column_sums: ok");

@@ -49,6 +49,23 @@ static void collocation(const lag_radau_table *table)
     }
 }
 
+/* The Runge-Kutta matrix integrates as collocation does, and `slopes` undoes it. */
+static void runge_kutta(const lag_radau_table *table)
+{
+    double power[STAGES], integral[STAGES], slope[STAGES];
+    for (unsigned k = 1; k <= table->stages; ++k) {
+        for (size_t i = 0; i < table->stages; ++i) {
+            power[i] = pow(table->node[i], (double)k - 1.0);
+        }
+        multiply(table->stages, table->matrix, power, integral);
+        multiply(table->stages, table->slopes, integral, slope);
+        for (size_t i = 0; i < table->stages; ++i) {
+            CHECK_NEAR(integral[i], pow(table->node[i], (double)k) / (double)k, 1e-15);
+            CHECK_NEAR(slope[i], power[i], 1e-13);
+        }
+    }
+}
+
 /* Radau: the sum of weights times x^(k-1) is 1/k up to k = 2 stages - 1; the weights are the last row of the Runge-Kutta matrix. */
 static void quadrature(const lag_radau_table *table)
 {
@@ -88,6 +105,7 @@ int main(void)
     for (size_t i = 0; i < LAG_RADAU_TABLES; ++i) {
         CHECK(lag_radau_tables[i].stages == 2 * i + 3);
         collocation(&lag_radau_tables[i]);
+        runge_kutta(&lag_radau_tables[i]);
         quadrature(&lag_radau_tables[i]);
     }
     (void)printf("radau: ok\n");

@@ -27,8 +27,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#define prepare call_prepare
 #define solve call_solve
 #include "lag/session/call.c"
+#undef prepare
 #undef solve
 
 #define crowd ensemble_crowd
@@ -59,13 +61,21 @@
 
 #include "lag/sensitivities/differences.c"
 
+#define correct projection_tangent_correct
+#define prepare projection_tangent_prepare
 #include "lag/sensitivities/projection_tangent.c"
+#undef correct
+#undef prepare
 
 #include "lag/sensitivities/run_sensitivities.c"
 
+#define width_of sensitivities_width_of
 #include "lag/sensitivities/sensitivities.c"
+#undef width_of
 
+#define correct sensitivity_collocation_correct
 #include "lag/sensitivities/sensitivity_collocation.c"
+#undef correct
 
 #define place_of sensitivity_delays_place_of
 #define set_sizes sensitivity_delays_set_sizes
@@ -87,7 +97,9 @@
 
 #include "lag/sensitivities/sensitivity_rates.c"
 
+#define width_of sensitivity_rows_width_of
 #include "lag/sensitivities/sensitivity_rows.c"
+#undef width_of
 
 #include "lag/sensitivities/sensitivity_start.c"
 

@@ -11,8 +11,6 @@
 /* So much larger than its limit a residual may stay where round-off or a singular position stops the convergence. */
 static const double CLOSE = 1e3;
 
-static const double LIGHT = 1e-6;
-
 static size_t position_rows(const lag_model *model)
 {
     size_t rows = 0;
@@ -33,7 +31,7 @@ size_t lag_projection_memory(const lag_model *model)
     const size_t n = model->nq;
     const size_t m = model->nc;
     const size_t rows = m + most_held(model);
-    return 4 * m + 2 * rows + 5 * n + model->nz + rows * n + n * n + lag_correction_memory(model) +
+    return 4 * m + 2 * rows + 5 * n + model->nz + rows * n + m * n + n * n + lag_correction_memory(model) +
            lag_system_memory(n, rows);
 }
 
@@ -92,7 +90,8 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->step.force = projection->step.right + rows;
     projection->step.change = projection->step.force + n;
     projection->step.lam = projection->step.change + n;
-    projection->point = projection->step.lam + rows;
+    projection->step.response = projection->step.lam + rows;
+    projection->point = projection->step.response + m * n;
     projection->component = projection->point + n;
     projection->largest = projection->component + m;
     projection->step.correction = projection->largest + n + motion->model->nz;
@@ -116,6 +115,7 @@ lag_status lag_projection_look(lag_projection *projection, int velocities)
     lag_motion *motion = projection->motion;
     const lag_model *model = motion->model;
     projection->jacobian = motion->written.rows[velocities];
+    projection->step.factored = 0;
     return (velocities ? model->velocity_constraint : model->position_constraint)(&motion->at, projection->phi, projection->jacobian);
 }
 
@@ -131,65 +131,6 @@ static double largest(const lag_projection *projection)
         }
     }
     return most;
-}
-
-/* A little inertia for what has none, as a part of the largest there is in its component, all in natural sizes. */
-static void fill_mass(lag_projection *projection)
-{
-    const lag_model *model = projection->motion->model;
-    const size_t n = model->nq;
-    const double *sizes = projection->sizes;
-    clear_largest(projection, 0.0);
-    for (size_t i = 0; i < n; ++i) {
-        enlarge(projection, lag_component_of(model, i), projection->step.mass[i * n + i] * sizes[i] * sizes[i]);
-    }
-    for (size_t i = 0; i < n; ++i) {
-        const double scale = projection->largest[lag_component_of(model, i)];
-        projection->step.mass[i * n + i] += (scale > 0.0 ? LIGHT * scale : 1.0) / (sizes[i] * sizes[i]);
-    }
-}
-
-/* M where it was not formed for this projection. */
-static lag_status form_mass(lag_projection *projection)
-{
-    if (projection->step.formed) {
-        return LAG_OK;
-    }
-    projection->step.formed = 1;
-    return projection->motion->model->mass_matrix(&projection->motion->at, projection->step.mass);
-}
-
-lag_status lag_projection_smallest(lag_projection *projection, int every)
-{
-    const lag_model *model = projection->motion->model;
-    const size_t n = model->nq;
-    size_t rows = 0;
-    lag_system system;
-    if ((every || projection->rows == model->nc) &&
-        lag_correction(model, &projection->motion->at, projection->phi, projection->jacobian, projection->round_off, projection->step.correction,
-            projection->step.change) == LAG_OK) {
-        return LAG_OK;
-    }
-    if (form_mass(projection) != LAG_OK) {
-        return LAG_PROJECTION_FAILED;
-    }
-    for (size_t i = 0; i < model->nc; ++i) {
-        if (every || model->position_level[i]) {
-            memcpy(projection->step.chosen + rows * n, projection->jacobian + i * n, n * sizeof(double));
-            projection->step.right[rows++] = -projection->phi[i];
-        }
-    }
-    lag_system_place(&system, n, rows, model->components, projection->step.system);
-    const size_t most = rows < model->rank ? rows : model->rank;
-    lag_status status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
-    if (status == LAG_SINGULAR) {
-        fill_mass(projection);
-        status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
-    }
-    if (status == LAG_OK) {
-        lag_system_solve(&system, projection->step.force, projection->step.right, projection->step.change, projection->step.lam);
-    }
-    return status;
 }
 
 /* Newton's method from x; the result is in `point`. */

@@ -14,9 +14,12 @@
 typedef struct lag_projection_step {
     double *mass;          /* (nq, nq), */
     int formed;            /* where it is that of the present projection */
+    int factored;          /* the system is that of the residuals that were looked at last */
+    lag_system solver;
     double *chosen;        /* (nc + most held, nq) */
     double *right, *force; /* (nc + most held) (nq) */
     double *change, *lam;  /* (nq) (nc + most held) */
+    double *response;      /* (nc, nq) */
     double *correction;
     double *system;
 } lag_projection_step;
@@ -88,6 +91,12 @@ double lag_projection_distance(lag_projection *projection, double t, const doubl
  * changes as can.
  */
 lag_status lag_projection_smallest(lag_projection *projection, int every);
+
+/*
+ * step.response: the same for a residual of one in each row alone, zero of rows that do not count. LAG_MISSING: the model has the function correction(),
+ * for residuals that go together.
+ */
+lag_status lag_projection_response(lag_projection *projection, int every);
 
 /*
  * The change of least inertia that takes residuals of the constraints away to first order, M change - J' lam = 0 and

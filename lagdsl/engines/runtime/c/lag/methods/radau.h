@@ -23,6 +23,8 @@ typedef struct lag_radau_table {
     double mu, alpha[LAG_RADAU_PAIRS], beta[LAG_RADAU_PAIRS];
     double transform[LAG_RADAU_STAGES][LAG_RADAU_STAGES];
     double inverse[LAG_RADAU_STAGES][LAG_RADAU_STAGES];
+    double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES]; /* A, */
+    double slopes[LAG_RADAU_STAGES][LAG_RADAU_STAGES]; /* and its inverse */
     double error[LAG_RADAU_STAGES]; /* f(x) + error * z / h: the error estimate, times mu / h, before it is filtered */
 } lag_radau_table;
 

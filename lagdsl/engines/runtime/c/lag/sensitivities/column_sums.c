@@ -2,7 +2,7 @@
 
 #include "lag/sensitivities/column_sums_make.h"
 
-static const lag_column_sums own = {combine, errors, dense, multiply, rates, stage};
+static const lag_column_sums own = {combine, errors, dense, interpolate, tolerances, multiply, rates, stage, decompose, collocate};
 
 /* The library is one for all processors: wider registers are used where there are some. */
 const lag_column_sums *lag_column_sums_of(size_t width)

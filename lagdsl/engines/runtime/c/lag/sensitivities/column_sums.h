@@ -5,7 +5,7 @@
 #ifndef LAG_COLUMN_SUMS_H
 #define LAG_COLUMN_SUMS_H
 
-#include "lag/methods/dop853.h"
+#include "lag/sensitivities/stage_equations.h"
 
 /* The first `width` numbers of each of `height` rows, which start `apart` numbers from one another. */
 typedef struct lag_rows_of_columns {
@@ -49,6 +49,13 @@ typedef struct lag_column_sums {
     void (*combine)(size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out); /* lag_combine() */
     void (*errors)(const lag_attempt_arrays *at, double *error); /* lag_attempt_errors() */
     void (*dense)(const lag_attempt_arrays *at, double *terms);  /* lag_attempt_dense() */
+    /* to (count) = base and the dense output of such terms (7, count) at a part of the step */
+    void (*interpolate)(size_t count, const double *terms, double part, const double *base, double *to);
+    /*
+     * Sizes (size, lanes) that errors of a block are measured by: tolerances of the state (size) for a change of order one of what it is differentiated by,
+     * which is `extent` (lanes), and this part of the size of each column.
+     */
+    void (*tolerances)(const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to);
     /* to (height, lanes) = base (null: zero) + product of (width, lanes); `to` is neither of these */
     void (*multiply)(const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to);
     /* Rates (size, lanes) of one block, whose number is that of its entries, along directions of the state (size, lanes) and of the inputs (nu, lanes). */
@@ -56,6 +63,10 @@ typedef struct lag_column_sums {
         const double *inputs, double *rates);
     /* Rates of the stage, into its slopes. */
     void (*stage)(const lag_motion_product *motion, const lag_columns_stage *of);
+    /* The matrix of the equations of stages, decomposed; 0: a pivot is zero or no number. */
+    int (*decompose)(const lag_stage_equations *equations);
+    /* The slopes (stages, n, lanes) at all stages where the columns of a block begin become what the stages add to these. */
+    void (*collocate)(const lag_stage_equations *equations, size_t lanes, double *slopes);
 } lag_column_sums;
 
 /* The sums for a processor with so many doubles in a register, or for any. */

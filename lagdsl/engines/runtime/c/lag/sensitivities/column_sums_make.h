@@ -1,8 +1,10 @@
-/* The sums of column_sums.h for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
+/* Sums over columns and their equations of stages, for one width of registers: LAG_ATTEMPT_WIDTH doubles, in functions with the attribute LAG_COLUMNS_TARGET. */
 #ifndef LAG_COLUMN_SUMS_MAKE_H
 #define LAG_COLUMN_SUMS_MAKE_H
 
-#include "lag/sensitivities/column_sums.h"
+#include <string.h>
+
+#include "lag/sensitivities/stage_equations_make.h"
 
 #if LAG_ATTEMPTS_WIDE
 extern const lag_column_sums lag_column_sums_wide, lag_column_sums_widest;
@@ -139,6 +141,27 @@ LAG_ATTEMPT_INLINED void stage_inlined(const lag_motion_product *motion, const l
     }
 }
 
+/* Of a block: the slopes (stages, n, lanes) where its columns begin become what the stages add to these. */
+LAG_ATTEMPT_INLINED void collocate_inlined(const lag_stage_equations *e, size_t lanes, double *slopes)
+{
+    const size_t stages = e->table->stages;
+    const size_t m = e->n - e->nq;
+    const size_t coordinates = e->nq * lanes;
+    const size_t all = e->n * lanes;
+    for (size_t i = 0; i < stages; ++i) {
+        const lag_rows_of_columns by_coordinates = {m, e->nq, e->width, e->jacobian + i * m * e->width};
+        double *known = e->coordinates + i * coordinates;
+        weigh(stages, e->table->matrix[i], e->h, coordinates, all, slopes, NULL, known);
+        multiply_inlined(&by_coordinates, lanes, known, slopes + i * all + coordinates, e->right + i * m * lanes);
+    }
+    substitute_inlined(stages * m, e->matrix, e->pivots, lanes, e->right);
+    for (size_t i = 0; i < stages; ++i) {
+        double *to = slopes + i * all;
+        weigh(stages, e->table->matrix[i], e->h, coordinates, m * lanes, e->right, e->coordinates + i * coordinates, to);
+        memcpy(to + coordinates, e->right + i * m * lanes, m * lanes * sizeof(double));
+    }
+}
+
 LAG_COLUMNS_TARGET static void combine(
     size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
 {
@@ -153,6 +176,75 @@ LAG_COLUMNS_TARGET static void errors(const lag_attempt_arrays *at, double *erro
 LAG_COLUMNS_TARGET static void dense(const lag_attempt_arrays *at, double *terms)
 {
     lag_attempt_dense(at, terms);
+}
+
+LAG_ATTEMPT_INLINED void interpolate_inlined(size_t count, const double *terms, double part, const double *base, double *to)
+{
+    size_t i = 0;
+#if defined(__GNUC__)
+    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
+        lag_wide sum = {0.0};
+        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
+            sum = (sum + lag_wide_at(terms + k * count + i)) * (k % 2 == 0 ? part : 1.0 - part);
+        }
+        lag_wide_to(to + i, lag_wide_at(base + i) + sum);
+    }
+#endif
+    for (; i < count; ++i) {
+        double sum = 0.0;
+        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
+            sum = (sum + terms[k * count + i]) * (k % 2 == 0 ? part : 1.0 - part);
+        }
+        to[i] = base[i] + sum;
+    }
+}
+
+/* Adds to the squares (lanes) those of x (size, lanes) by the tolerances of the state. */
+LAG_ATTEMPT_INLINED void add_squares(size_t size, size_t lanes, const double *of_state, const double *x, double *squares)
+{
+    for (size_t i = 0; i < size; ++i) {
+        const double by = 1.0 / of_state[i];
+        size_t lane = 0;
+#if defined(__GNUC__)
+        for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) {
+            const lag_wide a = lag_wide_at(x + i * lanes + lane) * by;
+            lag_wide_to(squares + lane, lag_wide_at(squares + lane) + a * a);
+        }
+#endif
+        for (; lane < lanes; ++lane) {
+            const double a = x[i * lanes + lane] * by;
+            squares[lane] += a * a;
+        }
+    }
+}
+
+LAG_ATTEMPT_INLINED void tolerances_inlined(
+    const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to)
+{
+    double before[LAG_ATTEMPT_LANES] = {0.0};
+    double behind[LAG_ATTEMPT_LANES] = {0.0};
+    double length[LAG_ATTEMPT_LANES];
+    add_squares(at->size, at->lanes, of_state, at->x, before);
+    add_squares(at->size, at->lanes, of_state, at->x_new, behind);
+    for (size_t lane = 0; lane < at->lanes; ++lane) {
+        length[lane] = fmax(extent[lane], relative * sqrt(fmax(before[lane], behind[lane]) / (double)at->size));
+    }
+    for (size_t i = 0; i < at->size; ++i) {
+        for (size_t lane = 0; lane < at->lanes; ++lane) {
+            to[i * at->lanes + lane] = length[lane] > 0.0 ? length[lane] * of_state[i] : 1.0;
+        }
+    }
+}
+
+LAG_COLUMNS_TARGET static void interpolate(size_t count, const double *terms, double part, const double *base, double *to)
+{
+    interpolate_inlined(count, terms, part, base, to);
+}
+
+LAG_COLUMNS_TARGET static void tolerances(
+    const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to)
+{
+    tolerances_inlined(at, of_state, relative, extent, to);
 }
 
 LAG_COLUMNS_TARGET static void multiply(
@@ -170,6 +262,17 @@ LAG_COLUMNS_TARGET static void rates(const lag_motion_product *motion, const lag
 LAG_COLUMNS_TARGET static void stage(const lag_motion_product *motion, const lag_columns_stage *of)
 {
     stage_inlined(motion, of);
+}
+
+LAG_COLUMNS_TARGET static int decompose(const lag_stage_equations *equations)
+{
+    form_inlined(equations);
+    return decompose_inlined(equations->table->stages * (equations->n - equations->nq), equations->matrix, equations->pivots);
+}
+
+LAG_COLUMNS_TARGET static void collocate(const lag_stage_equations *equations, size_t lanes, double *slopes)
+{
+    collocate_inlined(equations, lanes, slopes);
 }
 
 #endif

@@ -8,6 +8,6 @@
 
 #include "lag/sensitivities/column_sums_make.h"
 
-const lag_column_sums lag_column_sums_wide = {combine, errors, dense, multiply, rates, stage};
+const lag_column_sums lag_column_sums_wide = {combine, errors, dense, interpolate, tolerances, multiply, rates, stage, decompose, collocate};
 
 #endif

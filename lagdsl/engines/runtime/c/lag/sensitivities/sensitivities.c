@@ -64,14 +64,72 @@ static size_t derivatives_of_motion(const lag_model *model)
     return model->nq + model->nc + equations_of(model) * (model->nq + model->nz + lag_columns_variables(model));
 }
 
-/* Rows of equations of stages that are decomposed at most. */
-enum { MOST_DECOMPOSED = 256 };
+/*
+ * Equations of stages are decomposed where that takes less than the corrections of Radau's own iteration. A decomposition goes with the cube of its rows,
+ * in registers, once for all columns; each column needs several corrections, in single numbers. WORTH is how many multiplications of the one, times three,
+ * take as long as all corrections that have one multiplication each. Measured (AVX-512, tolerance 1e-8): both take the same time at
+ *
+ *                                   2 columns               10 columns
+ *     springs in a row, sparse      75 rows (WORTH 240)     205 rows (WORTH 390)
+ *     pendulums in a row, dense     140 rows (WORTH 130)    beyond 511 rows, where it takes 0.7 of the time
+ *
+ * The matrix has at most 8 MB.
+ */
+enum { WORTH = 200, MOST_DECOMPOSED = 1024 };
 
-/* Rows of the equations of stages where they are decomposed. With more of them the corrections of Radau's own iteration cost less. */
-static size_t decomposed(size_t n)
+/* Rows of the equations of stages of so many columns where they are decomposed. */
+static size_t decomposed(const lag_model *model, size_t count)
 {
-    const size_t rows = LAG_RADAU_STAGES * n;
-    return rows <= MOST_DECOMPOSED ? rows : 0;
+    const lag_ode ode = lag_motion_ode(model);
+    lag_radau_memo memo;
+    lag_radau_keep_band(&memo, &ode);
+    const double rows = (double)(LAG_RADAU_STAGES * lag_radau_others(&ode));
+    const double solution = (double)((1 + 4 * LAG_RADAU_PAIRS) * lag_radau_matrix(&ode, &memo)); /* numbers of pairs are complex */
+    const double correction = (double)(LAG_RADAU_STAGES * lag_radau_entries(&ode)) + solution;
+    return rows <= MOST_DECOMPOSED && rows * rows * rows <= WORTH * (double)count * correction ? (size_t)rows : 0;
+}
+
+/* Doubles of both ways to solve them. */
+static size_t memory_for_stages(const lag_model *model, size_t count)
+{
+    const lag_ode ode = lag_motion_ode(model);
+    const size_t n = lag_motion_size(model);
+    const size_t lanes = lanes_for(count);
+    const size_t rows = decomposed(model, count);
+    const size_t matrix = (rows + 1) * lag_stage_rows_apart(rows) + LAG_ATTEMPT_LANES;
+    const size_t columns = rows * (1 + n + model->nu + lanes) + LAG_RADAU_STAGES * model->nq * lanes;
+    return rows > 0 ? matrix + columns + lag_radau_entries(&ode) : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
+}
+
+/* The next `count` doubles from where a register begins; there is room for as many as it holds. */
+static double *take_aligned(double **memory, size_t count)
+{
+    const uintptr_t bytes = LAG_ATTEMPT_LANES * sizeof(double);
+    const uintptr_t over = (uintptr_t)*memory % bytes;
+    double *start = lag_take(memory, LAG_ATTEMPT_LANES + count);
+    return start + (over == 0 ? 0 : (bytes - over) / sizeof(double));
+}
+
+static void place_stages(lag_collocation_system *system, const lag_model *model, size_t count, double **memory)
+{
+    const lag_ode ode = lag_motion_ode(model);
+    const size_t n = lag_motion_size(model);
+    const size_t lanes = lanes_for(count);
+    const size_t rows = decomposed(model, count);
+    lag_stage_equations *equations = &system->equations;
+    *equations = (lag_stage_equations){.nq = model->nq, .n = n, .width = n + model->nu};
+    if (rows > 0) {
+        equations->matrix = take_aligned(memory, (rows + 1) * lag_stage_rows_apart(rows));
+        equations->pivots = lag_take(memory, rows);
+        equations->jacobian = lag_take(memory, rows * equations->width);
+        equations->coordinates = lag_take(memory, LAG_RADAU_STAGES * model->nq * lanes);
+        equations->right = lag_take(memory, rows * lanes);
+        system->jacobian = lag_take(memory, lag_radau_entries(&ode));
+        return;
+    }
+    system->jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
+    system->slope = lag_take(memory, LAG_RADAU_STAGES * n);
+    system->z = lag_take(memory, LAG_RADAU_STAGES * n);
 }
 
 static size_t memory_for(const lag_model *model, size_t count)
@@ -80,11 +138,10 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t width = lanes_for(count);
     const size_t all = blocks_for(count) * width;
     const size_t variables = lag_columns_variables(model);
-    const size_t columns = all * (2 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
+    const size_t columns = all * (3 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
     const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
-    const lag_ode ode = lag_motion_ode(model);
-    const size_t implicit = LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n) + decomposed(n) * (decomposed(n) + 1) + n * (n + 4);
+    const size_t implicit = memory_for_stages(model, count) + n * (n + 4);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
     return columns + work + motion + implicit + instant + lag_columns_past_memory(model, count) + model->np + n + most_values(model) + lag_guard_count(model) + lag_differences_memory(model, most_values(model));
 }
@@ -141,7 +198,7 @@ static void place_motion(lag_motion_derivatives *motion, const lag_model *model,
     };
 }
 
-static void place_work(lag_columns_work *work, const lag_model *model, const lag_columns *columns, double **memory)
+static void place_work(lag_columns_work *work, const lag_model *model, size_t count, const lag_columns *columns, double **memory)
 {
     const size_t n = lag_motion_size(model);
     const size_t all = columns->blocks * columns->lanes;
@@ -165,12 +222,7 @@ static void place_work(lag_columns_work *work, const lag_model *model, const lag
     work->outputs_by_parameter = lag_take(memory, all * model->ny);
     place_motion(&work->motion, model, columns->lanes, memory);
     lag_loads_along_place(&work->loads, model, lag_take(memory, lag_loads_along_memory(model)));
-    const lag_ode ode = lag_motion_ode(model);
-    work->collocation.jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
-    work->collocation.slope = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.z = lag_take(memory, LAG_RADAU_STAGES * n);
-    work->collocation.matrix = decomposed(n) > 0 ? lag_take(memory, decomposed(n) * decomposed(n)) : NULL;
-    work->collocation.pivots = lag_take(memory, decomposed(n));
+    place_stages(&work->collocation, model, count, memory);
 }
 
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)
@@ -231,12 +283,14 @@ lag_sensitivities *lag_sensitivities_place(
     s->results = *rows;
     s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
     s->sums = lag_column_sums_of(width_of(along));
+    s->discretes = lag_places_of(model).contact;
     columns->lanes = lanes_for(count);
     columns->blocks = blocks_for(count);
     const size_t all = columns->blocks * columns->lanes;
     columns->x = lag_take(&memory, all * variables);
     columns->w = lag_take(&memory, all * model->nw);
     columns->before = lag_take(&memory, all * n);
+    columns->inside = lag_take(&memory, all * variables);
     columns->extent = lag_take(&memory, all);
     columns->p = lag_take(&memory, count * variables);
     columns->of_parameters = lag_take(&memory, count);
@@ -244,7 +298,7 @@ lag_sensitivities *lag_sensitivities_place(
     columns->t = columns->t_before = columns->t_dense = (double)NAN;
     columns->rejected = (double)INFINITY;
     s->work.known.t = (double)NAN;
-    place_work(&s->work, model, columns, &memory);
+    place_work(&s->work, model, count, columns, &memory);
     s->rosenbrock.matrix = lag_take(&memory, n * n);
     s->rosenbrock.pivots = lag_take(&memory, n);
     s->rosenbrock.right = lag_take(&memory, n);
@@ -312,31 +366,4 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
             s->columns.p[i * s->columns.moving + k] = one[i];
         }
     }
-}
-
-/* ---- rows ---- */
-
-lag_status lag_columns_project(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *directions)
-{
-    const lag_model *model = run->motion.model;
-    const size_t n = lag_motion_size(model);
-    const size_t lanes = s->columns.lanes;
-    const size_t variables = lag_columns_variables(model);
-    double *one = s->work.one;
-    lag_status status = LAG_OK;
-    if (model->nc > 0) {
-        lag_columns_set_delays(s, run, t);
-    }
-    for (size_t lane = 0; lane < lanes && status == LAG_OK && model->nc > 0; ++lane) {
-        double *w = one + variables;
-        lag_columns_get(s, lane, variables, directions, 0, one);
-        lag_columns_get(s, block * lanes + lane, model->nw, s->columns.w, model->nw, w);
-        if (lag_any(variables + model->nw, one)) {
-            status = lag_projection_tangent(&run->projection, t, x, w, lag_columns_step(s, run, w), one);
-        }
-        for (size_t i = 0; i < n; ++i) {
-            directions[i * lanes + lane] = one[i];
-        }
-    }
-    return status;
 }

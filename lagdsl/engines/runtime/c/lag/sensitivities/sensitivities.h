@@ -77,6 +77,7 @@ typedef struct lag_columns {
     double *x;        /* (blocks, 2 nq + nz + nu + np, lanes) s at time t, and the directions of inputs and parameters */
     double *w;        /* (blocks, nw, lanes) of discretes */
     double *before;   /* (blocks, 2 nq + nz, lanes) s where the last step began */
+    double *inside;   /* (blocks, 2 nq + nz + nu + np, lanes) at a time within it */
     lag_parameter_entries entries;
     int shifted;      /* some column is along inputs */
     size_t moving;    /* so many columns are along parameters, */
@@ -87,12 +88,12 @@ typedef struct lag_columns {
     double t_dense;   /* the end of the step whose dense output is ready; no number: of none */
 } lag_columns;
 
-/* The linear equations of the stages of Radau; n: size of the state. */
+/* The linear equations of the stages of Radau, decomposed or solved by corrections. */
 typedef struct lag_collocation_system {
-    double *jacobian;        /* (stages, entries) as Radau keeps them */
-    double *slope;           /* (stages, n) where the column begins, */
-    double *z;               /* (stages, n) and what the stages add to it */
-    double *matrix, *pivots; /* (stages n, stages n) (stages n) decomposed; null: the equations are too many */
+    lag_stage_equations equations; /* matrix null: they are too many */
+    double *jacobian;              /* (stages, entries) as Radau keeps them; decomposed: of one stage */
+    double *slope;                 /* (stages, n) where the column begins, */
+    double *z;                     /* (stages, n) and what the stages add to it */
 } lag_collocation_system;
 
 /* Arrays of ROS2. */
@@ -188,6 +189,7 @@ typedef struct lag_sensitivities {
     lag_rosenbrock_system rosenbrock;
     lag_differences differences;
     const lag_column_sums *sums;
+    size_t discretes;        /* so many of them have places in a row */
     lag_columns_fault fault;
     double *scales;          /* (np) sizes of the parameters */
     unsigned char *chosen;   /* (2 nq + nz) start values that count as written */
@@ -244,10 +246,11 @@ lag_status lag_sensitivities_instant(struct lag_run *run, const struct lag_cause
 /* which are those behind it from now on. */
 void lag_sensitivities_after(lag_companion *companion);
 
-/* Decomposes the equations of all columns for the last step, of which the Jacobians are there, into `matrix`; 0: they are singular. */
-int lag_collocation_decompose(const lag_stepper *stepper, const lag_radau_table *table, const lag_collocation_system *system);
-/* z of a column, by this, or by what was decomposed for the last step of the state; 0: corrections do not contract. Arrays of stages of `at` but z are lost. */
-int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system);
+/*
+ * The slopes of all columns (blocks, 16, n, lanes), at the stages of the last step where these begin, become what the stages add to them. The Jacobians
+ * at the stages are there. LAG_SINGULAR; LAG_MISSING: corrections do not contract.
+ */
+lag_status lag_columns_collocate(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_places *of_state);
 
 /* Entries of a direction: q, qd, z, u, p. */
 size_t lag_columns_variables(const lag_model *model);
@@ -263,15 +266,13 @@ lag_status lag_columns_look(lag_sensitivities *s, struct lag_run *run, double t,
 /* d/dt (q, qd, z) (2 nq + nz, lanes) along the directions (2 nq + nz + nu + np, lanes) of a block at x, and outputs (ny, lanes; null: not wanted). */
 lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, const double *directions,
     double *rates, double *y);
-/* lag_radau_jacobian() at x, which is looked at. */
-lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *entries);
+/* The Jacobian at stage i, at x, which is looked at, as work.collocation keeps it. */
+lag_status lag_columns_jacobian(lag_sensitivities *s, struct lag_run *run, double t, const double *x, size_t i);
 /*
- * Lets the direction (2 nq + nz + nu + np) of q, qd, z, u, p at the state x on the constraints satisfy these to first order, as
- * lag_projection_apply() lets the state satisfy them, with discretes along dw (nw), by differences of step h; 0: they stay.
+ * Lets the directions (blocks, 2 nq + nz + nu + np, lanes) of all columns at the state x on the constraints satisfy these to first order, as
+ * lag_projection_apply() lets the state satisfy them.
  */
-lag_status lag_projection_tangent(lag_projection *projection, double t, const double *x, const double *dw, double h, double *direction);
-/* The same for the columns of a block. */
-lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, double *directions);
+lag_status lag_columns_project(lag_sensitivities *s, struct lag_run *run, double t, const double *x, double *directions);
 /* Columns of delayed values at time t, into those of the discretes. */
 void lag_columns_set_delays(lag_sensitivities *s, struct lag_run *run, double t);
 /* The motion begins; its last step up to time t is the past of delayed values. */

@@ -1,15 +1,28 @@
 /*
- * The linear equations of the stages of a column, A^-1 z = h (J z + f) with the Jacobian J at each stage and the slopes f where the column begins. Small
- * ones are decomposed, once for all columns. Others are solved by the corrections of the state's Newton iteration, with what was decomposed for its step.
- * They contract as those of the state did.
+ * The linear equations of the stages of the columns of Radau. Small ones are decomposed, once for all columns (lag/sensitivities/stage_equations.h). Others
+ * are solved by the corrections of the state's Newton iteration, with what was decomposed for its step. They contract as those of the state did.
  */
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/lu.h"
-#include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
 #include "lag/sensitivities/sensitivities.h"
+
+/* ---- decomposed ---- */
+
+static lag_status solve_decomposed(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_table *table)
+{
+    lag_stage_equations *e = &s->work.collocation.equations;
+    e->table = table;
+    e->h = stepper->t - stepper->t_before;
+    const lag_status status = s->sums->decompose(e) ? LAG_OK : LAG_SINGULAR;
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        s->sums->collocate(e, s->columns.lanes, s->work.slopes + block * LAG_DOP853_SLOPES * e->n * s->columns.lanes);
+    }
+    return status;
+}
+
+/* ---- by corrections ---- */
 
 /* Corrections at most: of the state they contract, or the step would not have been accepted. */
 enum { MOST = 60 };
@@ -38,81 +51,13 @@ static void find_slopes(const lag_stepper *stepper, const lag_radau_places *at, 
     }
 }
 
-/* ---- decomposed ---- */
-
-/* d (stages, stages), which is A^-1: h times the slope at node i of the polynomial through 0 at the beginning and z at the nodes. */
-static void slopes_of_nodes(const lag_radau_table *table, double d[LAG_RADAU_STAGES][LAG_RADAU_STAGES])
-{
-    const size_t stages = table->stages;
-    for (size_t i = 0; i < stages; ++i) {
-        for (size_t k = 0; k < stages; ++k) {
-            double product = 1.0 / table->node[k];
-            double sum = i == k ? 1.0 / table->node[k] : 0.0;
-            for (size_t j = 0; j < stages; ++j) {
-                product *= j != k && j != i ? (table->node[i] - table->node[j]) / (table->node[k] - table->node[j]) : 1.0;
-                sum += i == k && j != k ? 1.0 / (table->node[k] - table->node[j]) : 0.0;
-            }
-            d[i][k] = i == k ? sum : product * table->node[i] / (table->node[k] - table->node[i]);
-        }
-    }
-}
-
-/* Subtracts h J of a stage from its rows of the matrix, of so many columns. */
-static void subtract_jacobian(const lag_ode *ode, const double *jacobian, double h, size_t width, double *rows)
-{
-    for (size_t i = 0; i < ode->nq; ++i) {
-        rows[i * width + ode->nq + i] -= h;
-    }
-    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-        const lag_radau_row row = lag_radau_row_of(ode, i);
-        for (size_t k = row.first; k < row.end; ++k) {
-            rows[(ode->nq + i) * width + (row.column == NULL ? k - row.first : row.column[k])] -= h * jacobian[k];
-        }
-    }
-}
-
-int lag_collocation_decompose(const lag_stepper *stepper, const lag_radau_table *table, const lag_collocation_system *system)
-{
-    const lag_ode *ode = stepper->ode;
-    const size_t n = ode->size;
-    const size_t rows = table->stages * n;
-    const double h = stepper->t - stepper->t_before;
-    double d[LAG_RADAU_STAGES][LAG_RADAU_STAGES];
-    slopes_of_nodes(table, d);
-    lag_fill(rows * rows, 0.0, system->matrix);
-    for (size_t i = 0; i < table->stages; ++i) {
-        double *of_stage = system->matrix + i * n * rows;
-        for (size_t j = 0; j < n; ++j) {
-            for (size_t k = 0; k < table->stages; ++k) {
-                of_stage[j * rows + k * n + j] = d[i][k];
-            }
-        }
-        subtract_jacobian(ode, system->jacobian + i * lag_radau_entries(ode), h, rows, of_stage + i * n);
-    }
-    return lag_lu(rows, system->matrix, system->pivots);
-}
-
-static void solve_decomposed(const lag_stepper *stepper, size_t rows, const lag_collocation_system *system)
-{
-    const double h = stepper->t - stepper->t_before;
-    for (size_t i = 0; i < rows; ++i) {
-        system->z[i] = h * system->slope[i];
-    }
-    lag_lu_solve(rows, system->matrix, system->pivots, system->z);
-}
-
-/* ---- by corrections ---- */
-
-int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system)
+/* z of a column. 0: they do not contract. */
+static int correct(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system)
 {
     const size_t n = stepper->ode->size;
     const size_t stages = at->table->stages;
     const double h = stepper->t - stepper->t_before;
     double before = (double)INFINITY;
-    if (system->matrix != NULL) {
-        solve_decomposed(stepper, stages * n, system);
-        return 1;
-    }
     memset(system->z, 0, stages * n * sizeof(double));
     memset(at->w, 0, stages * n * sizeof(double));
     for (unsigned k = 0; k < MOST; ++k) {
@@ -135,4 +80,29 @@ int lag_columns_collocate(const lag_stepper *stepper, const lag_radau_places *at
         before = size;
     }
     return 0;
+}
+
+static lag_status solve_by_corrections(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_places *of_state)
+{
+    const size_t lanes = s->columns.lanes;
+    const size_t rows = of_state->table->stages * stepper->ode->size;
+    const lag_collocation_system *system = &s->work.collocation;
+    for (size_t k = 0; k < s->of.count; ++k) {
+        double *own = s->work.slopes + k / lanes * LAG_DOP853_SLOPES * stepper->ode->size * lanes + k % lanes;
+        for (size_t i = 0; i < rows; ++i) {
+            system->slope[i] = own[i * lanes];
+        }
+        if (!correct(stepper, of_state, system)) {
+            return LAG_MISSING;
+        }
+        for (size_t i = 0; i < rows; ++i) {
+            own[i * lanes] = system->z[i];
+        }
+    }
+    return LAG_OK;
+}
+
+lag_status lag_columns_collocate(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_places *of_state)
+{
+    return s->work.collocation.equations.matrix != NULL ? solve_decomposed(s, stepper, of_state->table) : solve_by_corrections(s, stepper, of_state);
 }

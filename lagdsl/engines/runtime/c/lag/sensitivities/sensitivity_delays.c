@@ -127,14 +127,15 @@ static lag_status sample_columns(lag_sensitivities *s, lag_run *run, double t, d
     const double inside = fmin(fmax(t, stepper->t_before), stepper->t);
     lag_status status = LAG_OK;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        memcpy(s->work.point, s->columns.x + block * variables * lanes, variables * lanes * sizeof(double));
-        status = lag_columns_dense(s, run, block, inside, s->work.point);
+        double *found = s->columns.inside + block * variables * lanes;
+        memcpy(found, s->columns.x + block * variables * lanes, variables * lanes * sizeof(double));
+        status = lag_columns_dense(s, run, block, inside, found);
         if (block == 0 && status == LAG_OK) {
             status = lag_stepper_dense(&run->stepper, inside, s->past.state);
             lag_columns_set_delays(s, run, t);
         }
         for (size_t k = block * lanes; k < (block + 1) * lanes && k < s->of.count && status == LAG_OK; ++k) {
-            lag_columns_get(s, k - block * lanes, variables, s->work.point, 0, s->work.one);
+            lag_columns_get(s, k, variables, s->columns.inside, variables, s->work.one);
             lag_columns_get(s, k, model->nw, s->columns.w, model->nw, s->work.one + variables);
             status = expressions_along(s, run, t, s->past.state);
             for (size_t i = 0; i < model->ndelay; ++i) {

@@ -92,31 +92,58 @@ static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
     return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
 }
 
-lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, double *entries)
+/* The Jacobian where they are found, as Radau keeps it. */
+static void find_entries(const lag_motion_derivatives *found, const lag_ode *ode, double *entries)
 {
-    const lag_model *model = run->motion.model;
-    const lag_motion_derivatives *found = &s->work.motion;
-    const lag_ode *ode = run->stepper.ode;
-    const size_t width = lag_motion_size(model) + model->nu;
-    const size_t equations = model->nq + model->nc + model->nz;
-    const int written = s->along.motion.tangents != NULL && s->along.motion.tangents->jacobian != NULL;
-    lag_status status = written ? lag_columns_look(s, run, t, x, 0) : LAG_OK;
-    if (status != LAG_OK || !found->known) {
-        status = status == LAG_OK ? lag_radau_jacobian(ode, t, x, entries) : status;
-        return status == LAG_OK ? lag_columns_look(s, run, t, x, 0) : status;
-    }
+    const lag_rows_of_columns *by_state = &found->product.by_state;
     for (size_t i = 0; i < lag_radau_others(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
         for (size_t k = row.first; k < row.end; ++k) {
-            const double *along = found->by_state + (row.column == NULL ? k - row.first : row.column[k]);
+            const double *along = by_state->first + (row.column == NULL ? k - row.first : row.column[k]);
             double sum = 0.0;
-            for (size_t j = 0; j < equations; ++j) {
-                sum += found->response[i * equations + j] * along[j * width];
+            for (size_t j = 0; j < by_state->height; ++j) {
+                sum += found->response[i * by_state->height + j] * along[j * by_state->apart];
             }
             entries[k] = sum;
         }
     }
-    return LAG_OK;
+}
+
+/* Entries that Radau keeps into rows (others, width). */
+static void scatter(const lag_ode *ode, const double *entries, size_t width, double *rows)
+{
+    lag_fill(lag_radau_others(ode) * width, 0.0, rows);
+    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
+        const lag_radau_row row = lag_radau_row_of(ode, i);
+        for (size_t k = row.first; k < row.end; ++k) {
+            rows[i * width + (row.column == NULL ? k - row.first : row.column[k])] = entries[k];
+        }
+    }
+}
+
+lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, size_t i)
+{
+    const lag_motion_derivatives *found = &s->work.motion;
+    const lag_stage_equations *equations = &s->work.collocation.equations;
+    const lag_ode *ode = run->stepper.ode;
+    const int written = s->along.motion.tangents != NULL && s->along.motion.tangents->jacobian != NULL;
+    const int decomposed = equations->matrix != NULL;
+    double *entries = s->work.collocation.jacobian + (decomposed ? 0 : i * lag_radau_entries(ode));
+    double *rows = equations->jacobian + (decomposed ? i * lag_radau_others(ode) * equations->width : 0);
+    lag_status status = written ? lag_columns_look(s, run, t, x, 0) : LAG_OK;
+    if (status == LAG_OK && found->known) {
+        if (decomposed) {
+            s->sums->multiply(&found->product.response, equations->width, found->by_state, NULL, rows);
+        } else {
+            find_entries(found, ode, entries);
+        }
+        return LAG_OK;
+    }
+    status = status == LAG_OK ? lag_radau_jacobian(ode, t, x, entries) : status;
+    if (status == LAG_OK && decomposed) {
+        scatter(ode, entries, equations->width, rows);
+    }
+    return status == LAG_OK ? lag_columns_look(s, run, t, x, 0) : status;
 }
 
 /* ---- by functions of several directions ---- */

@@ -6,17 +6,27 @@
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
 
-/* The columns of the block at time t into `point`, whose directions of inputs and parameters are set. */
-static lag_status columns_at(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *point)
+/* All columns and their directions at time t, in columns.x, or in columns.inside; x is the state there. */
+static lag_status columns_at(lag_sensitivities *s, lag_run *run, double t, const double *x, double **found)
 {
-    const lag_model *model = run->motion.model;
-    const size_t height = lag_columns_variables(model) * s->columns.lanes;
-    memcpy(point, s->columns.x + block * height, height * sizeof(double));
+    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
+    lag_status status = LAG_OK;
+    *found = s->columns.x;
     if (t == s->columns.t) {
         return LAG_OK;
     }
-    const lag_status status = lag_columns_dense(s, run, block, t, point);
-    return status == LAG_OK ? lag_columns_project(s, run, block, t, x, point) : status;
+    *found = s->columns.inside;
+    memcpy(*found, s->columns.x, s->columns.blocks * height * sizeof(double));
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        status = lag_columns_dense(s, run, block, t, *found + block * height);
+    }
+    return status == LAG_OK ? lag_columns_project(s, run, t, x, *found) : status;
+}
+
+/* lag_sensitivities_width() */
+static size_t width_of(const lag_sensitivities *s, const lag_model *model)
+{
+    return lag_motion_size(model) + s->discretes + model->ny;
 }
 
 lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, const double *x, double *derivatives)
@@ -24,22 +34,22 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
     const lag_model *model = run->motion.model;
     const size_t n = lag_motion_size(model);
     const size_t lanes = s->columns.lanes;
-    const size_t variables = lag_places_of(model).contact;
-    const size_t width = lag_sensitivities_width(model);
-    lag_status status = LAG_OK;
+    const size_t width = width_of(s, model);
+    double *found = NULL;
+    lag_status status = columns_at(s, run, t, x, &found);
+    if (status == LAG_OK && model->ny > 0) {
+        status = lag_columns_look(s, run, t, x, 1);
+    }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        status = columns_at(s, run, block, t, x, s->work.point);
-        if (status == LAG_OK && model->ny > 0 && block == 0) {
-            status = lag_columns_look(s, run, t, x, 1);
-        }
-        if (status == LAG_OK && model->ny > 0) {
-            status = lag_columns_rates(s, run, block, t, x, s->work.point, s->work.rates, s->work.y);
+        const double *point = found + block * lag_columns_variables(model) * lanes;
+        if (model->ny > 0) {
+            status = lag_columns_rates(s, run, block, t, x, point, s->work.rates, s->work.y);
         }
         for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
             double *to = derivatives + (block * lanes + lane) * width;
-            lag_columns_get(s, lane, n, s->work.point, n, to);
-            lag_columns_get(s, block * lanes + lane, variables, s->columns.w, model->nw, to + n);
-            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + variables);
+            lag_columns_get(s, lane, n, point, n, to);
+            lag_columns_get(s, block * lanes + lane, s->discretes, s->columns.w, model->nw, to + n);
+            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + s->discretes);
         }
     }
     return status;
@@ -48,7 +58,7 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
 lag_status lag_columns_row(lag_run *run, size_t number, double t, const double *x)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
-    const size_t entries = s->of.count * lag_sensitivities_width(run->motion.model);
+    const size_t entries = s->of.count * width_of(s, run->motion.model);
     return s->results.rows == NULL ? LAG_OK : lag_sensitivities_get(s, run, t, x, s->results.rows + number * entries);
 }
 
@@ -64,16 +74,14 @@ void lag_columns_note(lag_companion *companion, size_t number)
 lag_status lag_columns_back(lag_run *run, double t)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
-    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
-    lag_status status = LAG_OK;
+    const size_t count = s->columns.blocks * lag_columns_variables(run->motion.model) * s->columns.lanes;
+    double *found = NULL;
     if (t == s->columns.t) {
         return LAG_OK;
     }
     s->work.known.t = (double)NAN;
-    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        status = columns_at(s, run, block, t, run->stepper.x, s->work.point);
-        memcpy(s->columns.x + block * height, s->work.point, height * sizeof(double));
-    }
+    const lag_status status = columns_at(s, run, t, run->stepper.x, &found);
+    memcpy(s->columns.x, found, count * sizeof(double));
     s->columns.t = t;
     return status;
 }

@@ -108,36 +108,6 @@ static lag_status first_stage(lag_sensitivities *s, lag_run *run, const lag_atte
 }
 
 /*
- * Sizes that errors of a block are measured by: tolerances of the state for a change of order one of what it is differentiated by, and as parts of the size
- * of each column.
- */
-static void set_tolerances(const lag_sensitivities *s, const lag_run *run, size_t block, const lag_attempt_arrays *at)
-{
-    const double *tolerance = run->stepper.tolerance;
-    double length[LAG_ATTEMPT_LANES];
-    double before[LAG_ATTEMPT_LANES] = {0.0};
-    double behind[LAG_ATTEMPT_LANES] = {0.0};
-    for (size_t i = 0; i < at->size; ++i) {
-        const double per = 1.0 / tolerance[i];
-        for (size_t lane = 0; lane < at->lanes; ++lane) {
-            const double a = at->x[i * at->lanes + lane] * per;
-            const double b = at->x_new[i * at->lanes + lane] * per;
-            before[lane] += a * a;
-            behind[lane] += b * b;
-        }
-    }
-    for (size_t lane = 0; lane < at->lanes; ++lane) {
-        const double part = run->accuracy.relative * sqrt(fmax(before[lane], behind[lane]) / (double)at->size);
-        length[lane] = fmax(s->columns.extent[block * at->lanes + lane], part);
-    }
-    for (size_t i = 0; i < at->size; ++i) {
-        for (size_t lane = 0; lane < at->lanes; ++lane) {
-            s->work.tolerance[i * at->lanes + lane] = length[lane] > 0.0 ? length[lane] * tolerance[i] : 1.0;
-        }
-    }
-}
-
-/*
  * Error of the worst column as a part of what it may be. The local error of a method of order p goes with the (p + 1)th power of h over the time in which the
  * motion changes, and its derivative by what stretches this time is p + 1 times the error itself: so much is in order where the error of the state is.
  */
@@ -148,7 +118,7 @@ static double largest_error(lag_sensitivities *s, lag_run *run, lag_attempt_arra
     for (size_t block = 0; block < s->columns.blocks; ++block) {
         double error[LAG_ATTEMPT_LANES];
         move_to(s, run, block, at);
-        set_tolerances(s, run, block, at);
+        s->sums->tolerances(at, run->stepper.tolerance, run->accuracy.relative, s->columns.extent + block * at->lanes, s->work.tolerance);
         s->sums->errors(at, error);
         for (size_t lane = 0; lane < at->lanes; ++lane) {
             most = fmax(most, error[lane] / allowed);
@@ -178,11 +148,10 @@ static lag_status implicit_stage(lag_sensitivities *s, lag_run *run, const lag_r
     const lag_stepper *stepper = &run->stepper;
     const size_t n = size_of(run);
     const double t = stepper->t_before + of_state->table->node[i] * (stepper->t - stepper->t_before);
-    double *jacobian = s->work.collocation.jacobian + i * lag_radau_entries(stepper->ode);
     for (size_t j = 0; j < n; ++j) {
         s->work.state_of_stage[j] = stepper->x_before[j] + of_state->z[i * n + j];
     }
-    lag_status status = lag_columns_jacobian(s, run, t, s->work.state_of_stage, jacobian);
+    lag_status status = lag_columns_jacobian(s, run, t, s->work.state_of_stage, i);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         const lag_attempt_arrays at = arrays_of(s, run, block);
         memcpy(s->work.point, at.x, n * at.lanes * sizeof(double));
@@ -209,28 +178,17 @@ static lag_status implicit_step(lag_sensitivities *s, lag_run *run)
 {
     lag_radau_memo memo;
     const lag_radau_places of_state = last_of_state(&run->stepper, &memo);
-    const size_t n = size_of(run);
-    const size_t rows = of_state.table->stages * n;
-    double *z = s->work.collocation.z;
+    const size_t last = of_state.table->stages - 1;
     lag_status status = LAG_OK;
-    for (size_t i = 0; i < of_state.table->stages && status == LAG_OK; ++i) {
+    for (size_t i = 0; i <= last && status == LAG_OK; ++i) {
         status = implicit_stage(s, run, &of_state, i);
     }
-    if (status == LAG_OK && s->work.collocation.matrix != NULL && !lag_collocation_decompose(&run->stepper, of_state.table, &s->work.collocation)) {
-        status = LAG_SINGULAR;
-    }
-    for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
-        const size_t lane = k % s->columns.lanes;
-        const lag_attempt_arrays at = arrays_of(s, run, k / s->columns.lanes);
-        for (size_t i = 0; i < rows; ++i) {
-            s->work.collocation.slope[i] = at.slope[i * at.lanes + lane];
-        }
-        status = lag_columns_collocate(&run->stepper, &of_state, &s->work.collocation) ? LAG_OK : LAG_MISSING;
-        for (size_t i = 0; i < rows; ++i) {
-            at.slope[i * at.lanes + lane] = z[i];
-        }
-        for (size_t i = 0; i < n; ++i) {
-            at.x_new[i * at.lanes + lane] = at.x[i * at.lanes + lane] + z[rows - n + i];
+    status = status == LAG_OK ? lag_columns_collocate(s, &run->stepper, &of_state) : status;
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        const lag_attempt_arrays at = arrays_of(s, run, block);
+        const size_t count = at.size * at.lanes;
+        for (size_t i = 0; i < count; ++i) {
+            at.x_new[i] = at.x[i] + at.slope[last * count + i];
         }
     }
     return status;
@@ -286,7 +244,6 @@ lag_status lag_sensitivities_step(lag_run *run)
     lag_sensitivities *s = lag_sensitivities_of(run);
     lag_stepper *stepper = &run->stepper;
     const double h = stepper->t - stepper->t_before;
-    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
     double error = 0.0;
     if (stepper->method == &lag_collocation) { /* across a singular position, where neighbours go on along other branches */
         s->fault.t = stepper->t_before;
@@ -317,10 +274,7 @@ lag_status lag_sensitivities_step(lag_run *run)
         remember_slopes(s, run->motion.model, LAG_DOP853_END, stepper->t, stepper->x, size_of(run));
     }
     stepper->h = error > 0.0 && !rounding ? fmin(stepper->h, h * fmin(factor, 1.0 / LAG_DOP853_SHRINK)) : stepper->h;
-    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        status = lag_columns_project(s, run, block, stepper->t, stepper->x, s->columns.x + block * height);
-    }
-    return status;
+    return lag_columns_project(s, run, stepper->t, stepper->x, s->columns.x);
 }
 
 /* The stages of the dense output, whose terms are found for all blocks. */
@@ -362,14 +316,8 @@ lag_status lag_columns_dense(lag_sensitivities *s, lag_run *run, size_t block, d
         lag_columns_fixed_dense(s, run, block, h, part, to);
         return status;
     }
-    const double *terms = s->work.terms + block * LAG_DOP853_TERMS * count;
-    const double *before = s->columns.before + block * count;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        double sum = 0.0;
-        for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
-            sum = (sum + terms[k * count + i]) * (k % 2 == 0 ? part : 1.0 - part);
-        }
-        to[i] = before[i] + sum;
+    if (status == LAG_OK) {
+        s->sums->interpolate(count, s->work.terms + block * LAG_DOP853_TERMS * count, part, s->columns.before + block * count, to);
     }
     return status;
 }
