@@ -61,7 +61,7 @@ REASONS: Mapping[str, Mapping[str, str]] = {
     "sliding_cube": {"y.start": BORDER},
     "stacked_blocks": {"y1.start": BORDER},
     "table_on_four_legs": {"z.start": BORDER},
-    "tipping_box": {"b": FAILS, "y.start": BORDER},
+    "tipping_box": {"m": FAILS, "b": FAILS, "y.start": BORDER},
     "valve_train": {"cam.start": BORDER, "valve.start": BORDER},
     "wedge": {"Y.start": BORDER},
     "wedge_under_load": {"x.start": BORDER, "y.start": BORDER},
