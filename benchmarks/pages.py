@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import auto
 import calls
+import fits
 import living_page
 import motion
 import sizes_page
@@ -55,6 +56,7 @@ def page(found: dict[str, Results]) -> str:
         ("calls", calls.section),
         ("steps", steps.section),
         ("tangents", tangents.section),
+        ("fits", fits.section),
         ("chains", _chains),
         ("text", _text),
         ("growth", _growth),

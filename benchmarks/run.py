@@ -19,6 +19,7 @@ import bulk
 import calls
 import chains
 import figures
+import fits
 import fmus
 import growth
 import iftomm
@@ -44,6 +45,7 @@ PARTS: dict[str, Callable[[Callable[[str], None]], dict[str, object]]] = {
     "calls": calls.measure,
     "steps": steps.measure,
     "tangents": tangents.measure,
+    "fits": fits.measure,
     "chains": chains.measure,
     "accuracy": accuracy.measure,
     "growth": growth.measure,

@@ -16,6 +16,7 @@ NAMES = (
     "drive",
     "elastic_slider_crank",
     "four_bars",
+    "furuta_motor",
     "iftomm_a01",
     "iftomm_a02",
     "iftomm_a04",

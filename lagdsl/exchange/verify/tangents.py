@@ -1,12 +1,16 @@
-"""A line on the derivatives of the motion: tangents against differences of whole runs."""
+"""A line on the derivatives of the motion: tangents against differences of whole runs, one quantity after the other."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
 
 import numpy as np
 
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.exchange.verify.certificate import Line
 from lagdsl.foundation.diagnostics import CallRefused, CompilationFailed, Sink
+from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.model import FlatModel
@@ -18,122 +22,220 @@ from lagdsl.motion.simulate.simulate import simulate
 
 _NAME = "tangents of the motion"
 _SAYS = "derivatives of the motion by parameters and starts equal differences of whole runs; as a part of the largest"
-_LIMIT = 1e-5
+LIMIT = 1e-6
 # At most so many parameters and starts.
 _PARAMETERS, _STARTS = 3, 2
 _ROWS = 21
-# Of all these runs: differences of theirs keep six digits.
-_TOLERANCE = 1e-11
-# Rows are farther than this part of the motion from events.
-_NEAR = 1e-3
-# A column below this part of the largest one rests.
-_RESTS = 1e-3
-# Steps of the differences, as parts of each value.
-_STEP = 1e-5
+# Rows end at this part of the motion: what happens at a round time is between two of them.
+_PART = 0.99
+# They end where the motion has taken about so many steps.
+_STEPS = 3000
+# Of all these runs.
+_TOLERANCE = 1e-12
+# A column whose derivative is below this part of the values of its kind rests: differences are of rounding there.
+_RESTS = 1e-2
+# Steps of the differences, as parts of each value: long ones have little rounding, short ones stay among the same
+# events, and where the motion is nearly linear. The first one decides about most motions.
+_PARTS = (2.0**-8, 2.0**-5, 2.0**-11, 2.0**-14, 2.0**-17)
+_PLACES = (-3, -2, -1, 1, 2, 3)
+_KINDS = ("coordinate", "rate", "state")
+_Events: TypeAlias = list[tuple[str, str]]
 
 
 @record()
-class _Direction:
-    """All quantities at once: names of parameters and starts with the sizes by which they change."""
+class _Quantity:
+    """A parameter or a start with its value, by whose size it changes."""
 
-    parameters: dict[str, float]
-    starts: dict[str, float]
-
-    @property
-    def names(self) -> list[str]:
-        return [*self.parameters, *(f"{name}.start" for name in self.starts)]
+    target: str
+    is_start: bool
+    value: float
 
     @property
-    def sizes(self) -> Floats:
-        return np.array([*self.parameters.values(), *self.starts.values()])
+    def name(self) -> str:
+        return f"{self.target}.start" if self.is_start else self.target
+
+    @property
+    def size(self) -> float:
+        return abs(self.value) or 1.0
+
+
+@record(kw_only=True)
+class ComparedTangent:
+    """Derivatives by the quantity `name` at `rows` of `all_rows` times. `figure` is the largest difference as a part of
+    the largest derivative, that of the column `where`; None where no row could be compared. `reason`: why rows are left
+    out."""
+
+    name: str
+    rows: int
+    all_rows: int
+    figure: float | None
+    where: str = ""
+    reason: str = ""
 
 
 def motion_tangents(compilation: Compilation, engine: Engine) -> Line:
-    """Along one direction of a few parameters and starts; left out where the motion has no derivatives there."""
-    flat = compilation.flat
-    sink = Sink()
+    """By a few parameters and starts; left out where the motion has no derivatives."""
     try:
-        initial = initial_state(flat, engine)
-        direction = _direction(flat, engine, initial)
-        found = _motion(flat, engine, initial, direction, 0.0, direction.names, sink)
-        sides = [_motion(flat, engine, initial, direction, by * _STEP, (), sink) for by in (-2.0, -1.0, 1.0, 2.0)]
+        found = compared_tangents(compilation.flat, engine)
     except (CallRefused, CompilationFailed, SimulationFailed) as failure:
         return Line(name=_NAME, says=_SAYS, note=failure.diagnostics[0].message)
-    orders = [[(event.kind, event.name) for event in each.events] for each in (found, *sides)]
-    if any(order != orders[0] for order in orders) or any(d.code == "W0883" for d in sink.diagnostics):
-        return Line(name=_NAME, says=_SAYS, note="the order of events changes beside the motion")
-    if not direction.names:
-        return Line(name=_NAME, says=_SAYS, note="there is nothing to differentiate by")
-    return _compared(found, sides, direction)
+    figures = [(each.figure, each.where, each.name) for each in found if each.figure is not None]
+    if not figures:
+        note = found[0].reason if found else "there is nothing to differentiate by"
+        return Line(name=_NAME, says=_SAYS, note=note)
+    figure, where, by = max(figures)
+    return Line(name=_NAME, says=_SAYS, figure=figure, limit=LIMIT, note=f"largest for `{where}` by `{by}`")
 
 
-def _direction(flat: FlatModel, engine: Engine, initial: InitialState) -> _Direction:
-    """The first parameters that are not zero nor found with the start, and starts that are written."""
-    free = {parameter.name for parameter in flat.parameters if parameter.free}
-    values = dict(zip((slot.name for slot in engine.layout.parameters), initial.p.tolist(), strict=True))
-    parameters = {name: value for name, value in values.items() if value != 0.0 and name not in free}
-    places = places_of(flat)
-    written = [c.name for c in flat.coordinates if c.start_explicit and not initial.moved]
-    starts = {name: float(initial.x[places[name]]) or 1.0 for name in written[:_STARTS]}
-    return _Direction(dict(list(parameters.items())[:_PARAMETERS]), starts)
+def compared_tangents(flat: FlatModel, engine: Engine) -> list[ComparedTangent]:
+    """Each quantity by itself. Raises SimulationFailed, CompilationFailed where there is no motion."""
+    runs = _Runs(flat, engine)
+    return [_compared(runs, quantity) for quantity in runs.quantities()]
 
 
-def _motion(
-    flat: FlatModel,
-    engine: Engine,
-    initial: InitialState,
-    direction: _Direction,
-    by: float,
-    tangents: tuple[str, ...] | list[str],
-    sink: Sink,
-) -> Trajectory:
-    """Moved along the direction by so much of the sizes."""
-    p, places = initial.p.copy(), places_of(flat)
-    for number, slot in enumerate(engine.layout.parameters):
-        p[number] += by * direction.parameters.get(slot.name, 0.0)
-    start = {name: float(initial.x[places[name]]) + by * size for name, size in direction.starts.items()}
-    experiment = flat.experiment
-    return simulate(
-        engine,
-        flat,
-        interval=(experiment.stop_time - experiment.start_time) / (_ROWS - 1),
-        tolerance=_TOLERANCE,
-        p=p,
-        start=start,
-        tangents=tangents,
-        sink=sink,
-    )
+class _Runs:
+    """Motions with one quantity moved, over the time in which the motion takes _STEPS steps."""
 
+    def __init__(self, flat: FlatModel, engine: Engine) -> None:
+        self.flat, self.engine = flat, engine
+        self.initial: InitialState = initial_state(flat, engine)
+        begin, end = flat.experiment.start_time, flat.experiment.stop_time
+        steps = simulate(engine, flat, tolerance=_TOLERANCE, interval=end - begin).statistics.steps
+        end = begin + _PART * (end - begin) * min(1.0, _STEPS / max(steps, 1))
+        self.grid = np.linspace(begin, end, _ROWS)
 
-def _compared(found: Trajectory, sides: list[Trajectory], direction: _Direction) -> Line:
-    """At rows of the grid that are no events but ticks, for coordinates, rates and states."""
-    events = [event.time for each in (found, *sides) for event in each.events if event.kind != "tick"]
-    columns = [column for column in found.columns if column.kind in ("coordinate", "rate", "state")]
-    usual = max((float(np.max(np.abs(column.values), initial=0.0)) for column in columns), default=0.0)
-    grid = np.linspace(found.time[0], found.time[-1], _ROWS)
-    span = float(grid[-1] - grid[0])
-    near = np.array([min((abs(t - event) for event in events), default=span) for t in grid])
-    grid = grid[near > _NEAR * span]
-    largest, where = 0.0, ""
-    if not len(grid):
-        return Line(name=_NAME, says=_SAYS, note="events are as close together as rows")
-    for column in columns:
-        far_before, before, behind, far_behind = (_at(each, each[column.name], grid, span) for each in sides)
-        difference = (8.0 * (behind - before) - (far_behind - far_before)) / (12.0 * _STEP)
-        tangent = sum(
-            size * _at(found, found.derivative(column.name, name), grid, span)
-            for name, size in zip(direction.names, direction.sizes.tolist(), strict=True)
+    def quantities(self) -> list[_Quantity]:
+        """The first parameters that are not zero nor found with the start; starts that are written and hold, else
+        those of states, else any."""
+        flat, p = self.flat, self.initial.p.tolist()
+        free = {parameter.name for parameter in flat.parameters if parameter.free}
+        named = zip((slot.name for slot in self.engine.layout.parameters), p, strict=True)
+        parameters = [_Quantity(name, False, value) for name, value in named if value != 0.0 and name not in free]
+        moved = {row.name for row in self.initial.moved}
+        written = [c.name for c in flat.coordinates if c.start_explicit and c.name not in moved]
+        others = [state.name for state in flat.states] + [c.name for c in flat.coordinates]
+        starts, places = list(dict.fromkeys(written + others)), places_of(flat)
+        at = [_Quantity(name, True, float(self.initial.x[places[name]])) for name in starts[:_STARTS]]
+        return parameters[:_PARAMETERS] + at
+
+    def motion(self, quantity: _Quantity, by: float = 0.0, tangents: Sequence[str] = ()) -> Trajectory:
+        """With the quantity moved by so much of its size."""
+        value = quantity.value + by * quantity.size
+        p = self.initial.p.copy()
+        for number, slot in enumerate(self.engine.layout.parameters):
+            p[number] = value if slot.name == quantity.target and not quantity.is_start else p[number]
+        return simulate(
+            self.engine,
+            self.flat,
+            stop=float(self.grid[-1]),
+            interval=float(self.grid[1] - self.grid[0]),
+            tolerance=_TOLERANCE,
+            p=p,
+            start={quantity.target: value} if quantity.is_start else {},
+            tangents=tangents,
+            sink=Sink(),
         )
-        own = float(np.max(np.abs(difference))), float(np.max(np.abs(column.values), initial=0.0))
-        scale = max(*own, _RESTS * usual, np.finfo(float).tiny)
-        part = float(np.max(np.abs(tangent - difference))) / scale
-        if not float(np.max(np.abs(difference - 0.5 * (behind - before) / _STEP))) <= _LIMIT * scale:
-            return Line(name=_NAME, says=_SAYS, note=f"differences of `{column.name}` do not converge")
-        largest, where = max((largest, where), (part, column.name))
-    return Line(name=_NAME, says=_SAYS, figure=largest, limit=_LIMIT, note=f"largest for `{where}`" if where else "")
+
+    def so_far(self, quantity: _Quantity, by: float) -> Trajectory | None:
+        """The same, up to where it fails; None: it does not begin."""
+        try:
+            return self.motion(quantity, by)
+        except SimulationFailed as failure:
+            return failure.trajectory
+        except (CallRefused, CompilationFailed):
+            return None
 
 
-def _at(motion: Trajectory, values: Floats, grid: Floats, span: float) -> Floats:
-    """Of the rows at the times of the grid."""
-    rows = np.searchsorted(motion.time, grid + 1e-9 * span) - 1
-    return np.asarray(values[rows])
+def _compared(runs: _Runs, quantity: _Quantity) -> ComparedTangent:
+    reason = ""
+    try:
+        middle = runs.motion(quantity, 0.0, [quantity.name])
+    except (CallRefused, SimulationFailed) as failure:
+        reason = failure.diagnostics[0].message
+        if not isinstance(failure, SimulationFailed) or failure.trajectory.sensitivities is None:
+            return ComparedTangent(name=quantity.name, rows=0, all_rows=_ROWS, figure=None, reason=reason)
+        middle = failure.trajectory
+    table = _Table(runs.grid, middle, quantity, bool(reason))
+    for part in _PARTS:
+        sides = [runs.so_far(quantity, place * part) for place in _PLACES]
+        there = [side for side in sides if side is not None]
+        if len(there) == len(_PLACES):
+            table.add(there, part)
+        if table.is_decided:
+            break
+    return table.told(quantity.name, reason)
+
+
+class _Table:
+    """Distances of derivatives from differences at rows of the grid, the least one of all steps, as parts of sizes."""
+
+    def __init__(self, grid: Floats, middle: Trajectory, quantity: _Quantity, ended: bool) -> None:
+        self.grid, self.middle = grid, middle
+        self.names = [(column.name, column.kind) for column in middle.columns if column.kind in _KINDS]
+        self.derivative = quantity.size * self._at(middle, quantity.name)
+        # A motion that ended early has none in its last row.
+        self.differentiated = np.all(np.isfinite(self.derivative), axis=0) | (not ended)
+        self.same: Flags = np.zeros(len(grid), dtype=np.bool_)
+        self.distance = np.full((len(self.names), len(grid)), np.inf)
+
+    def _at(self, motion: Trajectory, by: str = "") -> Floats:
+        """(columns, rows) values, or derivatives, of the last rows at the times of the grid; nan behind its end."""
+        rows = np.searchsorted(motion.time, self.grid + self._together) - 1
+        there = self.grid <= (motion.time[-1] if len(motion) else -np.inf) + self._together
+        columns = [motion.derivative(name, by) if by else motion[name] for name, _ in self.names]
+        return np.array([np.where(there, values[rows] if len(values) else np.nan, np.nan) for values in columns])
+
+    @property
+    def _together(self) -> float:
+        return 1e-9 * float(self.grid[-1] - self.grid[0])
+
+    def _before(self, motion: Trajectory, t: float) -> _Events:
+        return [(event.kind, event.name) for event in motion.events if event.time <= t + self._together]
+
+    def add(self, sides: Sequence[Trajectory], part: float) -> None:
+        """Differences of the sixth order of rows that have the same events behind them; those of the fourth order tell
+        where they converge."""
+        values = [self._at(side) for side in sides]
+        a, b, c = (values[5 - k] - values[k] for k in (2, 1, 0))
+        sixth = (45.0 * a - 9.0 * b + c) / (60.0 * part)
+        rough = np.abs(sixth - (8.0 * a - b) / (12.0 * part))
+        behind = [self._before(self.middle, t) for t in self.grid.tolist()]
+        same = np.array(
+            [all(self._before(side, t) == behind[k] for side in sides) for k, t in enumerate(self.grid.tolist())]
+        )
+        same &= np.all(np.isfinite(sixth), axis=0) & self.differentiated
+        size = np.max(np.abs(np.where(same, sixth, 0.0)), axis=1, initial=0.0)
+        size = np.maximum(size, _RESTS * self._usual)[:, None]
+        same &= np.all(rough <= LIMIT * size, axis=0)
+        distance = np.where(same, np.abs(sixth - self.derivative) / size, np.inf)
+        self.distance = np.fmin(self.distance, np.where(np.isnan(distance), np.inf, distance))
+        self.same |= same
+
+    @property
+    def _usual(self) -> Floats:
+        """(columns,) the largest values of their kinds; of rates at least the coordinates in a second."""
+        largest = dict.fromkeys(_KINDS, float(np.finfo(float).tiny))
+        for name, kind in self.names:
+            largest[kind] = max(largest[kind], float(np.max(np.abs(self.middle[name]), initial=0.0)))
+        largest["rate"] = max(largest["rate"], largest["coordinate"])
+        return np.array([largest[kind] for _, kind in self.names])
+
+    @property
+    def is_decided(self) -> bool:
+        return bool(np.all(self.same)) and bool(np.all(self.distance <= LIMIT))
+
+    def told(self, name: str, reason: str) -> ComparedTangent:
+        """`reason` is that of the motion with derivatives, which ended early."""
+        rows = int(np.sum(self.same))
+        distance = np.where(self.same, self.distance, 0.0)
+        worst = np.unravel_index(int(np.argmax(distance)), distance.shape) if distance.size and rows else None
+        if rows < len(self.grid) and not reason:
+            reason = "neighbours have other events, or differences do not converge"
+        return ComparedTangent(
+            name=name,
+            rows=rows,
+            all_rows=len(self.grid),
+            figure=None if worst is None else float(distance[worst]),
+            where="" if worst is None else self.names[int(worst[0])][0],
+            reason=reason,
+        )

@@ -30,8 +30,6 @@ from lagdsl.exchange.verify.conserved import find as find_module
 from lagdsl.exchange.verify.forms import FORMS
 from lagdsl.interfaces.cli.main import lag
 from lagdsl.motion.pipeline import Compilation
-from lagdsl.motion.signals.trajectory import Trajectory
-from lagdsl.motion.simulate import derivatives as derivatives_module
 
 NAME = "bead_on_circular_wire_redundant"  # a constraint, a load, dissipation
 
@@ -138,32 +136,6 @@ def of_another_order(patch: pytest.MonkeyPatch) -> Compilation:
     return compiled(NAME).compilation
 
 
-def doubled_start(patch: pytest.MonkeyPatch) -> Compilation:
-    """Columns begin with twice the derivatives of the start."""
-    sound = derivatives_module.directions_of
-
-    def off(*arguments: Any) -> Any:
-        found = sound(*arguments)
-        return replace(found, start=2.0 * found.start)
-
-    patch.setattr(derivatives_module, "directions_of", off)
-    return compiled("double_pendulum").compilation
-
-
-def without_jumps(patch: pytest.MonkeyPatch) -> Compilation:
-    """Behind instants derivatives go on as if these did not move."""
-    sound = Trajectory.derivative
-
-    def off(self: Trajectory, of: str, by: str) -> Any:
-        found = sound(self, of, by).copy()
-        first = np.searchsorted(self.time, self.events[0].time)
-        found[first + 1 :] += found[first] - found[first + 1]
-        return found
-
-    patch.setattr(Trajectory, "derivative", off)
-    return compiled("bouncing_ball").compilation
-
-
 FAULTS = {
     "a value in the NumPy emitter": (in_method(NumpyEngine, "evaluate"), "engine numpy"),
     "a value on the tape": (in_method(TapeEngine, "evaluate"), "engine tape"),
@@ -181,8 +153,6 @@ FAULTS = {
     "a motion that gains energy": (gaining, "conserved energy()"),
     "a search that believes everything": (believing, "conserved momentum(a)"),
     "a wrong tangent of the constraints": (in_program("constraint_tangent", 1), "tangents of the motion"),
-    "a wrong tangent of the start": (doubled_start, "tangents of the motion"),
-    "an instant that does not move": (without_jumps, "tangents of the motion"),
     "a method of another order": (of_another_order, "order of the steps"),
 }
 

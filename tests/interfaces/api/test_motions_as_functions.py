@@ -107,6 +107,9 @@ def test_jax_transforms_it() -> None:
     for derivative in (jax.jacfwd, jax.jacrev):
         found = np.asarray(jax.jit(jax.vmap(derivative(motion)))(POINTS))
         assert np.abs(found - function.differentiate(POINTS)[1]).max() < 1e-13
+    y, jacobian = function.differentiate(POINTS[0])
+    found = jax.jit(jax.grad(lambda point: (motion(point) ** 2).sum()))(POINTS[0])
+    assert np.asarray(found) == pytest.approx(np.sum(2.0 * y[..., None] * jacobian, axis=(0, 1)), rel=1e-13)
 
 
 @pytest.mark.filterwarnings("ignore::FutureWarning")  # PyTorch 2.15 warns of parts of its own
@@ -121,3 +124,6 @@ def test_pytorch_transforms_it() -> None:
     leaf = points.clone().requires_grad_()
     motion(leaf).sum().backward()
     assert np.abs(leaf.grad.numpy() - jacobian.sum(axis=(1, 2))).max() < 1e-12
+    batches = {"check_forward_ad": True, "check_batched_grad": True, "check_batched_forward_grad": True}
+    point = points[1].clone().requires_grad_()
+    assert torch.autograd.gradcheck(motion, (point,), rtol=1e-5, **batches)

@@ -9,7 +9,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { LEVELS = 5, ROUNDINGS = 64 };
+enum { ROUNDINGS = 64 };
 const double lag_sixth[LAG_POINTS] = {45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0};
 
 static size_t kept_bytes(const lag_model *model)
@@ -52,9 +52,10 @@ static void put_back(lag_differences *d)
     (void)lag_motion_prepare(&d->run->motion); /* a workspace elsewhere is none of the memory that was kept */
 }
 
-void lag_differences_begin(lag_differences *d, lag_run *run, const double *p_sizes)
+void lag_differences_begin(lag_differences *d, lag_run *run, const double *p_sizes, double finest)
 {
     d->run = run;
+    d->finest = finest;
     d->p_here = run->motion.at.p;
     d->p_sizes = p_sizes;
     copy(d, d->kept, (const unsigned char *)run);
@@ -224,14 +225,13 @@ lag_status lag_differences_along(lag_differences *d, const lag_displacement *alo
     void *context, double *derivative, double *error)
 {
     const double extent = lag_differences_extent(d, along);
-    double step = 16.0 * lag_differences_step();
     *error = (double)INFINITY;
     if (!(extent > 0.0)) {
         lag_fill(count, 0.0, derivative);
         *error = 0.0;
         return LAG_OK;
     }
-    for (int level = 0; level < LEVELS; ++level, step /= 16.0) {
+    for (double step = 16.0 * lag_differences_step(); step >= d->finest; step /= 16.0) {
         const double h = step / extent;
         const lag_status status = sample(d, along, h, step, map, context);
         double bent = 0.0;

@@ -30,6 +30,10 @@ static inline double lag_differences_step(void)
     return ldexp(1.0, -DBL_MANT_DIG / 6);
 }
 
+/* Shortest steps, as parts of natural sizes: for maps that are carried out to rounding, and for searches, which end within a tolerance. */
+#define LAG_FINEST_STEP ldexp(1.0, -24)
+#define LAG_FINEST_STEP_OF_SEARCH ldexp(1.0, -20)
+
 /* A direction of the state and of what it depends on; null: not along these. */
 typedef struct lag_displacement {
     double t;
@@ -46,7 +50,7 @@ typedef struct lag_differences {
     double *value[3][2];     /* values on both sides, */
     double *middle;          /* and between them */
     double *sixth;           /* a derivative */
-    double h;                /* step of the values */
+    double h, finest;        /* step of the values; the shortest one that is tried, as a part of natural sizes */
     lag_inputs *inputs;      /* those of the caller, with their context, */
     void *context;
     const double *u;         /* shifted by so much along this (nu) */
@@ -61,7 +65,7 @@ size_t lag_differences_memory(const lag_model *model, size_t most);
 void lag_differences_place(lag_differences *d, const lag_model *model, size_t most, double *memory);
 
 /* The run is as it is now at all places; listeners do not hear of what is tried. It ends with lag_differences_end(), which puts it back. */
-void lag_differences_begin(lag_differences *d, struct lag_run *run, const double *p_sizes);
+void lag_differences_begin(lag_differences *d, struct lag_run *run, const double *p_sizes, double finest);
 void lag_differences_end(lag_differences *d);
 /* Puts it back to where it was at lag_differences_begin(), but for listeners. */
 void lag_differences_restore(lag_differences *d);

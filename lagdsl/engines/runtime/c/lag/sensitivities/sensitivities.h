@@ -167,6 +167,7 @@ typedef struct lag_instant_map {
     const struct lag_cause *cause;
     double t;
     uint64_t events; /* what happens at it, as a sum over notices */
+    size_t distance; /* of what time changes, the one that is due, or their number */
 } lag_instant_map;
 
 /* The instant behind which there is no derivative. */

@@ -214,7 +214,7 @@ lag_status lag_columns_begin_past(lag_sensitivities *s, lag_run *run)
     if (model->ndelay == 0) {
         return LAG_OK;
     }
-    lag_differences_begin(&s->differences, run, s->scales);
+    lag_differences_begin(&s->differences, run, s->scales, LAG_FINEST_STEP);
     lag_fill(model->ndelay, 1.0, s->instant.sizes);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
         double *one = s->work.one;

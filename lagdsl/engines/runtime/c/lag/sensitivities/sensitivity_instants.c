@@ -37,21 +37,21 @@ static void note_one_sided(lag_sensitivities *s, double t)
     s->fault.first = fmin(s->fault.first, t);
 }
 
-/* Values of all guards. */
+/* Values of the guards that cause the instant, and zeros for the others, which nobody seeks and which may jump. */
 static lag_status guard_values(void *context, double *values)
 {
     const lag_instant_map *map = context;
     lag_guards *guards = &map->run->guards;
     const lag_status status = lag_guards_detect(guards, map->run->stepper.t, map->run->stepper.x);
-    memcpy(values, guards->value, lag_guards_count(guards) * sizeof(double));
+    for (size_t i = 0; i < lag_guard_count(map->run->motion.model); ++i) {
+        values[i] = map->cause->changed[i] != 0.0 ? guards->value[i] : 0.0;
+    }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
 }
 
 /* First instants and periods of clocks, distances of what time changes. */
-static lag_status scheduled_values(void *context, double *values)
+static lag_status all_scheduled(lag_run *run, double *values)
 {
-    const lag_instant_map *map = context;
-    lag_run *run = map->run;
     const lag_model *model = run->motion.model;
     lag_timed *timed = &run->instants.timed;
     run->motion.at.t = run->stepper.t;
@@ -59,6 +59,19 @@ static lag_status scheduled_values(void *context, double *values)
     if (status == LAG_OK && model->ntimed > 0) {
         status = model->time_event(&run->motion.at, timed->value, timed->told, values + 2 * model->nclock, timed->rate, timed->affine,
             timed->entry, timed->change);
+    }
+    return status;
+}
+
+/* The same, with zeros for distances that are not due, which may bend. */
+static lag_status scheduled_values(void *context, double *values)
+{
+    const lag_instant_map *map = context;
+    const lag_model *model = map->run->motion.model;
+    const lag_status status = all_scheduled(map->run, values);
+    for (size_t i = 0; i < model->ndistance; ++i) {
+        double *distance = values + 2 * model->nclock + i;
+        *distance = i == map->distance ? *distance : 0.0;
     }
     return status;
 }
@@ -114,8 +127,9 @@ static lag_status find_scheduled(lag_sensitivities *s, lag_instant_map *map)
     if (!is_clock && model->ndistance == 0) {
         return LAG_OK;
     }
-    lag_status status = scheduled_values(map, s->instant.sizes);
-    due = is_clock ? due : due_distance(run, s->instant.sizes + 2 * model->nclock);
+    lag_status status = all_scheduled(run, s->instant.sizes);
+    map->distance = is_clock ? model->ndistance : due_distance(run, s->instant.sizes + 2 * model->nclock);
+    due = is_clock ? due : map->distance;
     const double rate = is_clock ? 0.0 : run->instants.timed.rate[due];
     lag_fill(2 * model->nclock + model->ndistance, 1.0, s->instant.sizes);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
@@ -123,6 +137,7 @@ static lag_status find_scheduled(lag_sensitivities *s, lag_instant_map *map)
         const lag_displacement by_law = {0.0, NULL, along.w, NULL, along.p, NULL};
         status = lag_differences_along(&s->differences, &by_law, 2 * model->nclock + model->ndistance, s->instant.sizes, scheduled_values, map,
             derivative, &error);
+        s->fault.guard = k;
         s->instant.time[k] = is_clock ? time_of_tick(run, derivative, due) : -derivative[2 * model->nclock + due] / rate;
         for (size_t i = due + 1; i < model->nclock && is_clock && status == LAG_OK; ++i) {
             if (lag_clock_is_due(&run->instants.clock[i], map->t) && move_apart(s->instant.time[k], time_of_tick(run, derivative, i))) {
@@ -167,18 +182,17 @@ static int grazes(const lag_instant_map *map, size_t i, double rate, double erro
 static lag_status check_guards(lag_sensitivities *s, lag_instant_map *map, const double *changed, const double *rate, double error)
 {
     lag_run *run = map->run;
-    const size_t count = lag_guards_count(&run->guards);
+    const size_t guards = lag_guard_count(run->motion.model);
     double *course = s->work.one;
     double *second = s->instant.behind;
     double ignored = 0.0;
     lag_status status = find_course(s, run, course);
     const lag_displacement on = {0.0, course, NULL, NULL, NULL, NULL};
     if (status == LAG_OK) {
-        status = lag_differences_along(&s->differences, &on, count, s->instant.sizes, guard_values, map, second, &ignored);
+        status = lag_differences_along(&s->differences, &on, guards, s->instant.sizes, guard_values, map, second, &ignored);
     }
-    for (size_t i = 0; i < lag_guard_count(run->motion.model) && status == LAG_OK; ++i) {
+    for (size_t i = 0; i < guards && status == LAG_OK; ++i) {
         if (changed[i] != 0.0 && grazes(map, i, rate[i], error, second[i] + s->instant.bend[i])) {
-            s->fault.t = map->t;
             s->fault.guard = i;
             return LAG_GRAZING;
         }
@@ -191,15 +205,14 @@ static lag_status find_located(lag_sensitivities *s, lag_instant_map *map, const
 {
     lag_run *run = map->run;
     const lag_model *model = run->motion.model;
-    const size_t count = lag_guards_count(&run->guards);
     const size_t guards = lag_guard_count(model);
     const lag_displacement forward = {1.0, s->instant.f, NULL, NULL, NULL, NULL};
     double *along = s->instant.behind;
-    double *rate = along + count;
+    double *rate = along + guards;
     double error = 0.0;
     size_t first = guards;
-    lag_fill(count, 1.0, s->instant.sizes);
-    lag_status status = lag_differences_along(&s->differences, &forward, count, s->instant.sizes, guard_values, map, rate, &error);
+    lag_fill(guards, 1.0, s->instant.sizes);
+    lag_status status = lag_differences_along(&s->differences, &forward, guards, s->instant.sizes, guard_values, map, rate, &error);
     error *= lag_differences_extent(&s->differences, &forward);
     for (size_t i = 0; i < guards; ++i) {
         first = changed[i] != 0.0 && first == guards ? i : first;
@@ -208,7 +221,8 @@ static lag_status find_located(lag_sensitivities *s, lag_instant_map *map, const
     status = status == LAG_OK ? check_guards(s, map, changed, rate, error) : status;
     for (size_t k = 0; k < s->of.count && status == LAG_OK && first < guards; ++k) {
         const lag_displacement column = along_column(s, model, k);
-        status = lag_differences_along(&s->differences, &column, count, s->instant.sizes, guard_values, map, along, &error);
+        status = lag_differences_along(&s->differences, &column, guards, s->instant.sizes, guard_values, map, along, &error);
+        s->fault.guard = k;
         s->instant.time[k] = -along[first] / rate[first];
         for (size_t i = first + 1; i < guards && status == LAG_OK; ++i) {
             if (changed[i] != 0.0 && move_apart(s->instant.time[k], -along[i] / rate[i])) {
@@ -238,10 +252,7 @@ static lag_status find_behind(lag_sensitivities *s, lag_instant_map *map)
         lag_axpy(n, time, s->instant.f, s->work.one);
         along.t = time;
         status = lag_differences_along(&s->differences, &along, count, s->instant.sizes, lag_instant_map_behind, map, behind, &error);
-        if (status != LAG_OK) {
-            s->fault.t = map->t;
-            s->fault.guard = k;
-        }
+        s->fault.guard = k;
         lag_axpy(n, -time, s->instant.f_after, behind);
         for (size_t i = 0; i < model->nw; ++i) {
             const int own = lag_is_mode(model->kinds[i]) || model->kinds[i] == LAG_KIND_LOAD;
@@ -294,7 +305,7 @@ static lag_status happened(lag_sensitivities *s, const lag_run *run, lag_status 
 lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
-    lag_instant_map map = {s, run, cause, run->stepper.t, 0};
+    lag_instant_map map = {s, run, cause, run->stepper.t, 0, run->motion.model->ndistance};
     const int begins = cause->kind == LAG_CAUSE_START;
     s->work.known.t = (double)NAN;
     if (run->motion.model->event == NULL && (cause->kind != LAG_CAUSE_INPUTS || run->motion.inputs == NULL)) {
@@ -309,7 +320,7 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     if (lag_columns_jumps_alone(run, cause)) {
         return happened(s, run, lag_columns_pass_jumps(s, run, cause));
     }
-    lag_differences_begin(&s->differences, run, s->scales);
+    lag_differences_begin(&s->differences, run, s->scales, LAG_FINEST_STEP);
     status = try_instant(s, &map);
     if (status != LAG_OK) { /* it fails, as it will without columns */
         lag_differences_end(&s->differences);
@@ -328,6 +339,7 @@ lag_status lag_sensitivities_instant(lag_run *run, const lag_cause *cause)
     status = status == LAG_OK ? find_behind(s, &map) : status;
     lag_differences_end(&s->differences);
     if (status != LAG_OK) {
+        s->fault.t = map.t;
         return status;
     }
     s->instant.pending = 1;

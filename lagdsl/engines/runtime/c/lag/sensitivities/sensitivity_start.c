@@ -57,7 +57,7 @@ lag_status lag_sensitivities_start(lag_sensitivities *s, lag_run *run, double t,
     memcpy(s->instant.sizes, run->sizes.found ? run->sizes.natural : run->options.sizes.natural, n * sizeof(double));
     memcpy(s->instant.sizes + n, s->scales, model->np * sizeof(double));
     lag_fill(n, 0.0, run->stepper.x);
-    lag_differences_begin(&s->differences, run, s->scales);
+    lag_differences_begin(&s->differences, run, s->scales, LAG_FINEST_STEP_OF_SEARCH);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
         const lag_displacement along = {0.0, s->of.start + k * n, NULL, s->of.u + k * model->nu, s->of.p + k * model->np, NULL};
         for (size_t i = 0; i < n; ++i) {
