@@ -7,14 +7,14 @@ import { build } from "esbuild";
 // are guarded by their own #if; shadows, headsets, surroundings, pictures from many sides, tracks of animations.
 const parts = /\b(var|const) ((?:alphahash|alphamap|aomap|batching|bumpmap|clearcoat|clipping|cube_uv|displacementmap|dithering|emissivemap|envmap|fog|gradientmap|iridescence|lightmap|lightprobes|lights_(?:physical|toon|phong)|logdepthbuf|map_particle|metalnessmap|morph|normalmap|packing|roughnessmap|shadowmap|skin|tonemapping|transmission)\w*) = "(?:[^"\\]|\\.)*"/g;
 const wholes = /\b(?:background|backgroundCube|cube|depth|distance|equirect|linedashed|mesh(?:matcap|normal|phong|physical|toon)|points|shadow)_(?:vert|frag): ([\w$]+)/g;
-const absent = ["updateMatrix", "render", "dispose", "addEventListener", "removeEventListener", "setAnimationLoop"].map((name) => `${name}() {}`);
+const absent = ["render", "dispose", "addEventListener", "removeEventListener", "setAnimationLoop", "getEnvironmentBlendMode"].map((name) => `${name}() {}`);
 const without = (text) => {
   const unused = new Set([...text.matchAll(wholes)].map(([, name]) => name));
   const blank = (whole, name) => (unused.has(name) ? `const ${name} = ""` : whole);
   return text
     .replace(parts, '$1 $2 = ""')
     .replace(/\bconst ((?:vertex|fragment)\$\w+) = "(?:[^"\\]|\\.)*"/g, blank)
-    .replace(/^(?:class|function) (WebXR(?:Manager|DepthSensing)|PMREMGenerator|WebGLShadowMap)\b[^]*?^}/gm, `class $1 { ${absent.join(" ")} }`)
+    .replace(/^(?:class|function) (WebXR(?:Manager|DepthSensing)|PMREMGenerator|WebGLShadowMap)\b[^]*?^}/gm, `class $1 { enabled = false; isPresenting = false; ${absent.join(" ")} }`)
     .replace(/^(?:\w*KeyframeTrack|PropertyBinding)\.[^]*?;$/gm, "");
 };
 const shaders = {
