@@ -56,7 +56,7 @@ class Stage:
 
 def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
     """`rows` are those of the scene's columns along the motion; `up` (3,) is a unit direction."""
-    points = _places(scene, rows)
+    points = places_of(scene, rows)
     low, high = points.min(axis=0), points.max(axis=0)
     length = max(float(np.linalg.norm(high - low)) / math.sqrt(2.0), 1e-9)
 
@@ -73,8 +73,8 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
     return Stage(scene=scene, rows=rows, points=points, **box, length=length, scales=scales, meshes=meshes, axes=axes)
 
 
-def _places(scene: Scene, rows: Floats) -> Floats:
-    """All places of the scene along the motion."""
+def places_of(scene: Scene, rows: Floats) -> Floats:
+    """All places (n, 3) [m] of the scene along the motion, with the room around them."""
     seen = rows[:: max(1, len(rows) // _ROWS_LOOKED_AT)]
     points: list[Floats] = []
     for shape in scene.shapes:

@@ -10,7 +10,7 @@ import pytest
 from choice import spread
 from plot.motions import ANGLE, T, bounces, column, trajectory
 
-from lagdsl.documents.plot.chosen import plot_of
+from lagdsl.documents.plot.figure import plot_of
 from lagdsl.documents.plot.names import columns_in, names_in, paths_of
 
 SPIN = column("der(theta)", 5 * np.cos(5 * T), "rate", "deg/s", scale=180 / np.pi)

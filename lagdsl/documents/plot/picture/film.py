@@ -47,7 +47,7 @@ def write_picture(
     """
     made = record_motion(flat, wishes, _ROWS, sink)
     rows = _rows_at(made, times or [made.span[0]])
-    picture, stamps = _prepared(flat, made)
+    picture, stamps = _prepared(flat, made, whole=len(rows) > 1)
     last = float(stamps[rows[-1]])
     draw(picture, rows[-1], rows[:-1], caption=f"t = {last:.3g} s" if times else "")
     save_picture(picture, path, pixels)
@@ -91,12 +91,12 @@ def _digits(time: float, length: float) -> str:
     return f"{time:.{max(2 - math.floor(math.log10(length)), 0)}f}"
 
 
-def _prepared(flat: FlatModel, made: Recording) -> tuple[Drawn, Floats]:
+def _prepared(flat: FlatModel, made: Recording, *, whole: bool = False) -> tuple[Drawn, Floats]:
     """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
     if all(shape.kind == "frame" for shape in made.scene.shapes):
         raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
     stage = stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
-    return prepared(stage, flat.name), made.motion.time
+    return prepared(stage, flat.name, whole=whole), made.motion.time
 
 
 def _rows_at(made: Recording, times: Sequence[float]) -> list[int]:

@@ -1,19 +1,7 @@
 // The primitives of pictures, as lagdsl/derivation/scene tells them: objects of three.js that follow numbers of the scene.
 import {
-  BufferAttribute,
-  BufferGeometry,
-  CanvasTexture,
-  DoubleSide,
-  Group,
-  Line,
-  LineBasicMaterial,
-  Mesh,
-  MeshLambertMaterial,
-  type Object3D,
-  Color,
-  Sprite,
-  SpriteMaterial,
-  Vector3,
+  BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshLambertMaterial, type Object3D, Sprite,
+  SpriteMaterial, Vector3,
 } from "three";
 import { axesAlong, lay, tube } from "./geometry.ts";
 import type { Part, Shape } from "./head.ts";
@@ -27,7 +15,6 @@ export interface Frame {
 export interface Sizes {
   length: number; // of the machine [m]
   scales: Record<string, number>; // of arrows: metres for a newton, for a newton metre
-  planar: boolean;
   first: number;
   center: Vector3; // of the machine
   forms: ReadonlyMap<string, BufferGeometry>;
