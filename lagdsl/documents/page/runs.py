@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 
-from lagdsl.documents.page.head import Json
+from lagdsl.documents.page.head import Json, occurrences
 from lagdsl.documents.page.page import head_of_recording, html_of, starts_of
 from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
@@ -124,7 +124,7 @@ def page_of_runs(
             "pace": run.pace,
             "said": run.said,
             "parameters": None if run.p is None else list(run.p),
-            "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in run.motion.events],
+            "events": occurrences(run.motion),
         }
         for run in runs
     ]

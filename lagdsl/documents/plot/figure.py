@@ -13,7 +13,7 @@ from lagdsl.documents.plot.names import ENERGY, panels_of, paths_of
 from lagdsl.documents.plot.sheet import COLORS, DARK, LINES, escaped, in_brackets, mark_events, sheet, title
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
-from lagdsl.language.flat.display import Display
+from lagdsl.language.flat.display import Display, drawn_rate
 from lagdsl.motion.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -60,14 +60,15 @@ class Bundle:
 
 def bundle_of(motion: Trajectory) -> Bundle:
     """All columns of a motion and its energy; ticks of clocks are no events to mark."""
-    curves = {name: shown(name, c.display, c.values[None, :]) for c in motion.columns for name in c.called}
+    curves = {name: shown(name, c.kind, c.display, c.values[None, :]) for c in motion.columns for name in c.called}
     curves.setdefault(ENERGY, Curve(name=ENERGY, unit="J", values=motion.energy[None, :]))
     events = tuple(sorted({event.time for event in motion.events if event.kind != "tick"}))
     return Bundle(title=motion.model, time=motion.time, curves=curves, events=events)
 
 
-def shown(name: str, display: Display, values: Floats) -> Curve:
-    """`values` in SI units as people see them."""
+def shown(name: str, kind: str, display: Display, values: Floats) -> Curve:
+    """`values` of a column of this kind, in SI units, as people see them."""
+    display = drawn_rate(display) if kind == "rate" else display
     return Curve(name=name, unit=display.unit, values=np.asarray(values * display.scale + display.shift))
 
 
@@ -80,7 +81,8 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
     bundle = bundle_of(motion)
     groups: dict[tuple[str, str], list[Curve]] = {}
     for column in motion.columns[1:]:
-        groups.setdefault((column.kind, column.display.unit), []).append(bundle.curves[column.name])
+        curve = bundle.curves[column.name]
+        groups.setdefault((column.kind, curve.unit), []).append(curve)
     energy = bool(np.any(np.isfinite(motion.energy)) and np.any(motion.energy))
     heights = [1.5, *[1.0] * (len(groups) - 1 + energy)] if groups else [1.0]
     with sheet((8.0, 1.2 + 1.75 * sum(heights)), path) as figure:

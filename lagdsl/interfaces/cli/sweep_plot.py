@@ -40,7 +40,7 @@ def draw_sweep(plot: Plot, data: xarray.Dataset, plan: Plan, models: Sequence[Fl
     bundle = Bundle(
         title=str(data.attrs["model"]),
         time=time,
-        curves={name: shown(name, heads[name][3], values) for name, values in runs.items()},
+        curves={name: shown(name, heads[name][2], heads[name][3], values) for name, values in runs.items()},
         variation=_variation(plan),
     )
     panels, paths = chosen(plot, list(runs))

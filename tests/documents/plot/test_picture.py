@@ -190,3 +190,17 @@ def test_a_model_without_places_has_no_picture(tmp_path: Path) -> None:
         with pytest.raises(ValueError, match="nothing in VanDerPol has a place"):
             write(flat, Wishes(), tmp_path / name)  # type: ignore[operator]
         assert not (tmp_path / name).exists()
+
+
+def test_a_view_that_follows_holds_the_machine_at_every_row_and_nothing_of_its_way() -> None:
+    """Closed form: the middle of the picture is that of the coin, which rolls around a circle of thirteen radii."""
+    own = stage("rolling_coin")
+    whole, near = prepared(own), prepared(own, follow=True)
+    wide, narrow = (float(each.view.high[0] - each.view.low[0]) for each in (whole, near))
+    assert narrow < 0.3 * wide
+    for row in (0, 20, len(own.rows) - 1):
+        view = near.at(row).view
+        for part in parts_of(own, row, without=("ground", "rail")):
+            if isinstance(part, Faces):
+                places = view.seen(part.corners)[0]
+                assert np.all(places >= view.low) and np.all(places <= view.high)

@@ -42,9 +42,9 @@ class Drawn:
         return self if self.steps is None else replace(self, view=self.view.beside(self.steps[row]), steps=None)
 
 
-def prepared(stage: Stage, title: str = "", *, whole: bool = False) -> Drawn:
-    """An empty picture for a stage, of its `whole` way in any case. Raises ModuleNotFoundError without Matplotlib."""
-    steps = None if whole else steps_of(stage)
+def prepared(stage: Stage, title: str = "", *, follow: bool = False) -> Drawn:
+    """An empty picture; its view may `follow` the machine. Raises ModuleNotFoundError without Matplotlib."""
+    steps = steps_of(stage) if follow else None
     view = view_of(stage, steps)
     width, height = view.high - view.low
     size = (_INCHES, round(_INCHES * float(height / width), 2))

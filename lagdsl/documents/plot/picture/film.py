@@ -38,8 +38,10 @@ def write_picture(
     sink: Sink | None = None,
     *,
     pixels: int = 1280,
+    follow: bool = False,
 ) -> None:
-    """The machine as a picture, in the form of the suffix: .png, .svg, .pdf; `pixels` wide.
+    """The machine as a picture, in the form of the suffix: .png, .svg, .pdf; `pixels` wide; the view
+    may `follow` it.
 
     With one time at that time [s], else at the start; with several the last one in full and the others pale. Raises
     CompilationFailed where there is no motion, ValueError for a time that is not part of it or a model without a place
@@ -47,19 +49,21 @@ def write_picture(
     """
     made = record_motion(flat, wishes, _ROWS, sink)
     rows = _rows_at(made, times or [made.span[0]])
-    picture, stamps = _prepared(flat, made, whole=len(rows) > 1)
+    picture, stamps = _prepared(flat, made, follow=follow)
     last = float(stamps[rows[-1]])
     draw(picture, rows[-1], rows[:-1], caption=f"t = {last:.3g} s" if times else "")
     save_picture(picture, path, pixels)
 
 
-def write_film(flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | None = None) -> None:
-    """The machine as a GIF of at most 4 MB that plays again and again; raises as `write_picture`."""
+def write_film(
+    flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | None = None, *, follow: bool = False
+) -> None:
+    """The machine as a GIF of at most 4 MB that plays again and again; `follow` and errors as of `write_picture`."""
     t, end = _span(flat, wishes)
     seconds = min(max(end - t, _SHORTEST), _LONGEST)
     count = round(seconds * _RATE)
     made = record_motion(flat, wishes, count + 1, sink)
-    picture, times = _prepared(flat, made)
+    picture, times = _prepared(flat, made, follow=follow)
     picture.figure.set_dpi(_DOTS)
     frames, shown = [], np.linspace(t, end, count + 1)
     shown = shown[shown <= times[-1] + 1e-9 * (end - t)]
@@ -91,12 +95,12 @@ def _digits(time: float, length: float) -> str:
     return f"{time:.{max(2 - math.floor(math.log10(length)), 0)}f}"
 
 
-def _prepared(flat: FlatModel, made: Recording, *, whole: bool = False) -> tuple[Drawn, Floats]:
+def _prepared(flat: FlatModel, made: Recording, *, follow: bool) -> tuple[Drawn, Floats]:
     """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
     if all(shape.kind == "frame" for shape in made.scene.shapes):
         raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
     stage = stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
-    return prepared(stage, flat.name, whole=whole), made.motion.time
+    return prepared(stage, flat.name, follow=follow), made.motion.time
 
 
 def _rows_at(made: Recording, times: Sequence[float]) -> list[int]:

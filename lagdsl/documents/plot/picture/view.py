@@ -1,5 +1,5 @@
-"""From space to the picture: planar machines square on, spatial ones in perspective, always whole. The view goes with a
-machine that drives away, as on the living page."""
+"""From space to the picture: planar machines square on, spatial ones in perspective, always
+whole. The view may go with a machine that drives away, as on the living page."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ _MARGIN = 0.07
 _ROWS = 24
 # Of a picture: height over width.
 _LOWEST, _HIGHEST = 0.45, 1.25
-_AWAY = 4.0  # of its own size: a machine that goes so far drives away
 
 
 @record(kw_only=True)
@@ -48,11 +47,8 @@ class View:
         return replace(self, center=self.center + step, eye=None if self.eye is None else self.eye + step)
 
 
-def steps_of(stage: Stage) -> Floats | None:
-    """Steps (rows, 3) [m] from the middle of the whole way to the machine that drives away; none for one that stays."""
-    own = np.ptp(places_of(stage.scene, stage.rows[:1]), axis=0)
-    if np.linalg.norm(stage.high - stage.low) <= _AWAY * np.linalg.norm(own):
-        return None
+def steps_of(stage: Stage) -> Floats:
+    """Steps (rows, 3) [m] from the middle of the whole way to the machine."""
     places = [places_of(stage.scene, row[None, :]) for row in stage.rows]
     return np.array([(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in places]) - stage.center
 
