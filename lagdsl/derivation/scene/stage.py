@@ -50,11 +50,18 @@ class Stage:
         return FINE if len(self.scene.shapes) < _MANY else COARSE
 
     @property
+    def turn(self) -> Floats:
+        """Rows (3, 3) right, up and towards the viewer of a picture, who sees spatial machines from above."""
+        right, up, back = self.axes
+        towards = back if self.scene.planar else (back + TILT * up) / math.hypot(1.0, TILT)
+        return np.array([right, np.cross(towards, right), towards])
+
+    @property
     def center(self) -> Floats:
         return np.asarray((self.low + self.high) / 2.0)
 
 
-def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
+def stage_of(scene: Scene, rows: Floats, up: Sequence[float] | Floats) -> Stage:
     """`rows` are those of the scene's columns along the motion; `up` (3,) is a unit direction."""
     points = places_of(scene, rows)
     low, high = points.min(axis=0), points.max(axis=0)

@@ -11,11 +11,11 @@ from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
 from lagdsl.derivation.scene.shapes import Part, Scene, Shape
-from lagdsl.derivation.scene.stage import Stage, stage_of
+from lagdsl.derivation.scene.stage import Stage
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.documents.page.packed import packed_form, packed_meshes
 from lagdsl.documents.page.words import WORDS
-from lagdsl.documents.plot.picture.recording import Prepared, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import Prepared, staged
 from lagdsl.engines.runtime.structures import WHAT
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
@@ -51,7 +51,7 @@ def head_of(
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
     own = {parameter.name for parameter in model.parameters}
-    stage = stage_of(living.scene, rows_of_scene(living.scene, motions or [motion]), up_of(model, living.scene))
+    stage = staged(model, living.scene, motions or [motion])
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes, stage.meshes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}

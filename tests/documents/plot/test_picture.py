@@ -14,11 +14,11 @@ from choice import chosen, repeats
 from PIL import Image
 
 from lagdsl.derivation.scene.forms import FORMS, form
-from lagdsl.derivation.scene.stage import Stage, stage_of
+from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.draw import draw, prepared
 from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.film import write_film, write_picture
-from lagdsl.documents.plot.picture.recording import record_motion, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import record_motion, staged
 from lagdsl.documents.plot.picture.shapes import parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
@@ -45,7 +45,7 @@ def flat_of(name: str) -> FlatModel:
 def stage(name: str) -> Stage:
     flat = flat_of(name)
     made = record_motion(flat, Wishes(), 41)
-    return stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
+    return staged(flat, made.scene, [made.motion])
 
 
 def pieces(own: Stage, row: int, name: str) -> list[Faces]:

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.draw import Drawn, draw, prepared, save_picture
-from lagdsl.documents.plot.picture.recording import Recording, record_motion, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import Recording, record_motion, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
@@ -99,8 +98,7 @@ def _prepared(flat: FlatModel, made: Recording, *, follow: bool) -> tuple[Drawn,
     """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
     if all(shape.kind == "frame" for shape in made.scene.shapes):
         raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
-    stage = stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
-    return prepared(stage, flat.name, follow=follow), made.motion.time
+    return prepared(staged(flat, made.scene, [made.motion]), flat.name, follow=follow), made.motion.time
 
 
 def _rows_at(made: Recording, times: Sequence[float]) -> list[int]:

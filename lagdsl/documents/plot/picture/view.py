@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.derivation.scene.stage import TILT, Stage, places_of
+from lagdsl.derivation.scene.stage import Stage, places_of
 from lagdsl.documents.plot.picture.faces import Faces, Ribbon
 from lagdsl.documents.plot.picture.gauges import reach
 from lagdsl.documents.plot.picture.shapes import parts_of
@@ -55,19 +55,13 @@ def steps_of(stage: Stage) -> Floats:
 
 def view_of(stage: Stage, steps: Floats | None = None) -> View:
     """The picture that holds the whole motion, or with `steps` (rows, 3) [m] that of a machine that it goes with."""
-    right, up, back = stage.axes
     every = np.concatenate([_solid(stage, steps), reach(stage)])
     if not len(every):
         every = stage.points
-    if stage.scene.planar:
-        turn, eye = np.array([right, up, back]), None
-    else:
-        towards = back + TILT * up
-        towards /= np.linalg.norm(towards)
-        turn = np.array([right, np.cross(towards, right), towards])
+    turn, eye = stage.turn, None
+    if not stage.scene.planar:
         size = float(np.linalg.norm(np.ptp(every, axis=0) if steps is not None else stage.high - stage.low))
-        far = max(size, 0.5 * stage.length if steps is None else 0.0) * 1.75
-        eye = stage.center + far * towards
+        eye = stage.center + 1.75 * max(size, 0.5 * stage.length if steps is None else 0.0) * turn[2]
     whole = View(turn=turn, eye=eye, center=stage.center, low=np.zeros(2), high=np.zeros(2))
     places = whole.seen(every)[0]
     margin = _MARGIN * (stage.length if steps is None else float(np.linalg.norm(np.ptp(every, axis=0))))

@@ -63,6 +63,7 @@ export class Influence {
     this.wish = null;
     const all = [...parameters, ...inputs];
     this.values = this.by.map((i) => all[i]);
+    if (this.outcome === null) this.say("Derivatives are under way.", true);
     const begin = (): Promise<Live | null> => Live.begin(this.head, 2, (outcome) => this.arrived(outcome), { by: this.by, longest: LONGEST });
     this.live = (this.live ?? begin()).then((live) => (live?.busy ? (live.end(), begin()) : live));
     void this.live.then((live) => live?.run(parameters, inputs));
