@@ -69,7 +69,7 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     if not places or not any(_moved(found, item.name) for item in flat.coordinates):
         return None
     scene = scene_of(flat)
-    row = np.array([[value if (value := found.scalar(each)) is not None else np.nan for each in scene.columns]])
+    row = np.array([[found.scalar(each) for each in scene.columns]])
     stage = stage_of(scene, row, up_of(flat, planar=scene.planar))
     sheet = _Sheet(lambda point: np.asarray(stage.turn[:2] @ point))
     _parts(sheet, stage)

@@ -1,4 +1,4 @@
-// What a page is told: the JSON of lagdsl/page/head.py, and the arrays that come with it.
+// What a page is told: the JSON of lagdsl/documents/page/head.py, and the arrays that come with it.
 import { bytesOf, inflate } from "./packed.ts";
 
 /** shown = si * scale + shift */

@@ -22,7 +22,7 @@ const LONGEST = 0.3; // of the machine
 const TURNING = 0.4; // of the longest arrow: the radius of one of a torque
 const MOST_TOLD = 8;
 const ROUNDING = 1e-10;
-/** By number, as lagdsl/scene/vectors.py tells them. */
+/** By number, as lagdsl/derivation/scene/vectors.py tells them. */
 const MODES = ["open", "slides", "sticks"];
 
 export class Overlay {
