@@ -22,7 +22,6 @@ TILT = 0.38 / 0.92
 
 _SIDES = 12
 _EQUAL = 0.05
-_GAUGES = ("slider", "dial")
 
 
 @record(kw_only=True)
@@ -130,8 +129,3 @@ def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, F
     spreads = np.array([np.linalg.det(np.cov(each, rowvar=False)) for each in seen])
     back = backs[int(np.argmax(spreads >= spreads.max() * (1.0 - _EQUAL)))]
     return np.cross(up, back), up, back
-
-
-def gauges_of(scene: Scene) -> list[int]:
-    """Numbers of the shapes that are gauges."""
-    return [k for k, shape in enumerate(scene.shapes) if shape.kind in _GAUGES]

@@ -58,17 +58,19 @@ def write_film(
     flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | None = None, *, follow: bool = False
 ) -> None:
     """The machine as a GIF of at most 4 MB that plays again and again; `follow` and errors as of `write_picture`."""
-    t, end = _span(flat, wishes)
+    t = flat.experiment.start_time
+    end = flat.experiment.stop_time if wishes.stop is None else wishes.stop
     seconds = min(max(end - t, _SHORTEST), _LONGEST)
     count = round(seconds * _RATE)
     made = record_motion(flat, wishes, count + 1, sink)
     picture, times = _prepared(flat, made, follow=follow)
     picture.figure.set_dpi(_DOTS)
     frames, shown = [], np.linspace(t, end, count + 1)
-    shown = shown[shown <= times[-1] + 1e-9 * (end - t)]
-    speed = _speed((end - t) / seconds)
-    for time in shown:
-        draw(picture, _row_at(times, float(time)), caption=f"t = {_digits(time, end - t)} s{speed}")
+    digits = max(2 - math.floor(math.log10(end - t)), 0)  # so many that two frames differ
+    factor = (end - t) / seconds
+    speed = "" if abs(factor - 1.0) < 0.05 else f"  ({factor:.2g}× speed)"
+    for time in shown[shown <= times[-1] + 1e-9 * (end - t)].tolist():
+        draw(picture, _row_at(times, time), caption=f"t = {time:.{digits}f} s{speed}")
         frames.append(_pixels(picture))
     delay = 10 * round(100.0 / _RATE)
     for every in (1, 2, 4):
@@ -76,22 +78,6 @@ def write_film(
         if len(data) <= _MOST_BYTES:
             break
     Path(path).write_bytes(data)
-
-
-def _span(flat: FlatModel, wishes: Wishes) -> tuple[float, float]:
-    return flat.experiment.start_time, flat.experiment.stop_time if wishes.stop is None else wishes.stop
-
-
-def _speed(factor: float) -> str:
-    """Speed of the film over that of time, in words."""
-    if abs(factor - 1.0) < 0.05:
-        return ""
-    return f"  ({factor:.2g}× speed)"
-
-
-def _digits(time: float, length: float) -> str:
-    """So many that two frames differ."""
-    return f"{time:.{max(2 - math.floor(math.log10(length)), 0)}f}"
 
 
 def _prepared(flat: FlatModel, made: Recording, *, follow: bool) -> tuple[Drawn, Floats]:
