@@ -1,4 +1,4 @@
-"""What all figures share: Matplotlib without a window, colors, style, files."""
+"""Parts of all figures: Matplotlib without a window, colors, style, files."""
 
 from __future__ import annotations
 
