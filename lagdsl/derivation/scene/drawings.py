@@ -70,6 +70,11 @@ def along_axes(frame: str, parts: Sequence[fx.FlatExpression]) -> fx.FlatExpress
     return reduce(lambda total, term: fx.Binary("+", total, term), terms) if terms else fx.Vector(*([fx.ZERO] * 3))
 
 
+def mass_centre(body: fm.RigidBody) -> fx.FlatExpression:
+    origin = fx.FrameOrigin(body.frame)
+    return origin if set(body.com) <= {fx.ZERO} else fx.Binary("+", origin, along_axes(body.frame, body.com))
+
+
 def placed(anchors: tuple[fx.FlatExpression | str, ...], columns: Columns) -> list[tuple[str, int]]:
     """Columns of the place of a shape: `at` a point, `on` a frame, `between` two points."""
     found: list[tuple[str, int]] = []

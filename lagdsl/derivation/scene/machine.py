@@ -83,6 +83,12 @@ def gravity_of(flat: fm.FlatModel) -> Floats | None:
     return None if found is None or not 0.0 < size < np.inf else found / size
 
 
+def up_of(flat: fm.FlatModel, *, planar: bool) -> Floats:
+    """Against gravity at the start (3,); y in planar pictures, z without gravity."""
+    down = None if planar else gravity_of(flat)
+    return np.array([0.0, float(planar), float(not planar)]) if down is None else -down
+
+
 def vector_or_none(at: Evaluator, expression: fx.FlatExpression) -> Floats | None:
     try:
         found = at.vector(expression)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.derivation.scene.drawings import along_axes, on_frame
+from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame
 from lagdsl.derivation.scene.looks import CLEAR, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
@@ -216,7 +216,7 @@ class _Body:
     def _center(self) -> fx.FlatExpression:
         if not self.com.any():
             return fx.FrameOrigin(self.item.frame)
-        return fx.Binary("+", fx.FrameOrigin(self.item.frame), along_axes(self.item.frame, self.item.com))
+        return mass_centre(self.item)
 
     def _place(self, turn: Floats | None = None) -> tuple[tuple[str, int], ...]:
         """At the mass center, along the axes of the frame, or of those that are the columns of `turn`."""

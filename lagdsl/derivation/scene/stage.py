@@ -22,7 +22,6 @@ TILT = 0.38 / 0.92
 
 _SIDES = 12
 _EQUAL = 0.05
-_GAUGES = ("slider", "dial")
 
 
 @record(kw_only=True)
@@ -50,13 +49,20 @@ class Stage:
         return FINE if len(self.scene.shapes) < _MANY else COARSE
 
     @property
+    def turn(self) -> Floats:
+        """Rows (3, 3) right, up and towards the viewer of a picture, who sees spatial machines from above."""
+        right, up, back = self.axes
+        towards = back if self.scene.planar else (back + TILT * up) / math.hypot(1.0, TILT)
+        return np.array([right, np.cross(towards, right), towards])
+
+    @property
     def center(self) -> Floats:
         return np.asarray((self.low + self.high) / 2.0)
 
 
-def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
+def stage_of(scene: Scene, rows: Floats, up: Sequence[float] | Floats) -> Stage:
     """`rows` are those of the scene's columns along the motion; `up` (3,) is a unit direction."""
-    points = _places(scene, rows)
+    points = places_of(scene, rows)
     low, high = points.min(axis=0), points.max(axis=0)
     length = max(float(np.linalg.norm(high - low)) / math.sqrt(2.0), 1e-9)
 
@@ -73,8 +79,8 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float]) -> Stage:
     return Stage(scene=scene, rows=rows, points=points, **box, length=length, scales=scales, meshes=meshes, axes=axes)
 
 
-def _places(scene: Scene, rows: Floats) -> Floats:
-    """All places of the scene along the motion."""
+def places_of(scene: Scene, rows: Floats) -> Floats:
+    """All places (n, 3) [m] of the scene along the motion, with the room around them."""
     seen = rows[:: max(1, len(rows) // _ROWS_LOOKED_AT)]
     points: list[Floats] = []
     for shape in scene.shapes:
@@ -123,8 +129,3 @@ def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, F
     spreads = np.array([np.linalg.det(np.cov(each, rowvar=False)) for each in seen])
     back = backs[int(np.argmax(spreads >= spreads.max() * (1.0 - _EQUAL)))]
     return np.cross(up, back), up, back
-
-
-def gauges_of(scene: Scene) -> list[int]:
-    """Numbers of the shapes that are gauges."""
-    return [k for k, shape in enumerate(scene.shapes) if shape.kind in _GAUGES]

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
+from lagdsl.derivation.scene.drawings import mass_centre
 from lagdsl.derivation.scene.living import Living, with_scene
 from lagdsl.derivation.scene.looks import dressed
 from lagdsl.derivation.scene.rubbing import Rubbing
@@ -51,7 +52,7 @@ def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     """The model with its arrows as its only outputs, and with the parameters that `living` gives it."""
     columns = Columns()
     places = _places(flat)
-    shapes = [shape for rule in (_velocities, _accelerations, _admissible) for shape in rule(flat, places, columns)]
+    shapes = [*_motions(places, columns), *_admissible(flat, places, columns)]
     shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns), *_frictions(flat, columns)]
     scene = Scene(shapes=dressed(shapes, planar=False), columns=tuple(columns.expressions), planar=False)
     return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
@@ -61,7 +62,7 @@ def _places(flat: fm.FlatModel) -> tuple[_Place, ...]:
     dependence = Dependence(flat)
     found = [(_name_of(item.position, k), item.position, item.spans) for k, item in enumerate(flat.masses, 1)]
     for k, body in enumerate(flat.bodies, 1):
-        found.append((body.label or f"body {k}", _mass_centre(body), body.spans))
+        found.append((body.label or f"body {k}", mass_centre(body), body.spans))
     coordinates = [item.name for item in flat.coordinates]
     moved = [frozenset(dependence.of(position)) for _, position, _ in found]
     return tuple(
@@ -75,22 +76,13 @@ def _name_of(position: fx.FlatExpression, number: int) -> str:
     return position.name if isinstance(position, fx.PointReference) else f"mass {number}"
 
 
-def _mass_centre(body: fm.RigidBody) -> fx.FlatExpression:
-    place: fx.FlatExpression = fx.FrameOrigin(body.frame)
-    for axis, part in enumerate(body.com):
-        if part != fx.ZERO:
-            place = fx.Binary("+", place, fx.Binary("*", part, fx.FrameAxis(body.frame, axis)))
-    return place
-
-
-def _velocities(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
-    for place in places:
-        yield _arrow("velocity", place.name, place, fx.Derivative(place.position), columns)
-
-
-def _accelerations(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
-    for place in places:
-        yield _arrow("acceleration", place.name, place, fx.Derivative(fx.Derivative(place.position)), columns)
+def _motions(places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+    """Velocities, then accelerations."""
+    rates = [(place, fx.Derivative(place.position)) for place in places]
+    for place, rate in rates:
+        yield _arrow("velocity", place.name, place, rate, columns)
+    for place, rate in rates:
+        yield _arrow("acceleration", place.name, place, fx.Derivative(rate), columns)
 
 
 def _admissible(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:

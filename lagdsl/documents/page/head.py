@@ -4,21 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from typing import TypeAlias
 
 from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
 from lagdsl.derivation.scene.shapes import Part, Scene, Shape
-from lagdsl.derivation.scene.stage import Stage, stage_of
+from lagdsl.derivation.scene.stage import Stage
 from lagdsl.derivation.structure.names import contact_rows
-from lagdsl.documents.page.meshes import PackedMesh, packed_form, packed_meshes
+from lagdsl.documents.page.packed import packed_form, packed_meshes
 from lagdsl.documents.page.words import WORDS
-from lagdsl.documents.plot.picture.recording import Prepared, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import Prepared, staged
 from lagdsl.engines.runtime.structures import WHAT
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
-from lagdsl.language.flat.display import Display, display
+from lagdsl.language.flat.display import display, drawn_rate
 from lagdsl.language.flat.events import Contact, Entry, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
@@ -50,7 +51,7 @@ def head_of(
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
     own = {parameter.name for parameter in model.parameters}
-    stage = stage_of(living.scene, rows_of_scene(living.scene, motions or [motion]), up_of(model, living.scene))
+    stage = staged(model, living.scene, motions or [motion])
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes, stage.meshes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
@@ -68,10 +69,7 @@ def head_of(
             "center": stage.center.tolist(),
             "length": stage.length,
             "scales": stage.scales,
-            "coil": coil().round(4).tolist()
-            if any(p.form == "coil" for s in stage.scene.shapes for p in s.parts)
-            else [],
-            "forms": _forms(stage),
+            **_forms(stage),
         },
         "start": span[0],
         "stop": span[1],
@@ -81,15 +79,15 @@ def head_of(
                 "name": column.name,
                 "kind": column.kind,
                 "unit": column.unit,
-                "display": _display(_rate(column.display) if column.kind == "rate" else column.display),
+                "display": asdict(drawn_rate(column.display) if column.kind == "rate" else column.display),
                 "doc": docs.get(column.name),
             }
             for column in motion.columns[:first]
         ],
         "scene": {"first": first, "count": count, "shapes": shapes_of(living.scene, source, numbers)},
-        "meshes": [_mesh(mesh) for mesh in meshes],
+        "meshes": [asdict(mesh) for mesh in meshes],
         "rows": len(motion),
-        "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in motion.events],
+        "events": occurrences(motion),
         "parameters": [
             _slider(item, value, "parameter" if item.name in own else "start")
             for item, value in zip(independent, p, strict=True)
@@ -135,12 +133,6 @@ def _sliders(model: FlatModel, living: FlatModel) -> list[str]:
     return [*(fixed or written), *own, *(item.name for item in model.inputs)]
 
 
-def _rate(shown: Display) -> Display:
-    """People read spins in rad/s and currents in A, which are the SI units."""
-    read = {"deg/s": "rad/s", "C/s": "A"}.get(shown.unit)
-    return shown if read is None else Display(read)
-
-
 def _named(entry: Entry) -> str:
     """A contact or a friction by its own name, anything else by its condition."""
     return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
@@ -150,11 +142,13 @@ def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
     return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
 
 
-def _forms(stage: Stage) -> Json:
-    """Unit bodies by name: those of the parts, and those that arrows need."""
-    surfaces = {part.form for shape in stage.scene.shapes for part in shape.parts if part.primitive == "surface"}
+def _forms(stage: Stage) -> dict[str, Json]:
+    """Unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
+    parts = [part for shape in stage.scene.shapes for part in shape.parts]
+    surfaces = {part.form for part in parts if part.primitive == "surface"}
     names = sorted({"cylinder", "cone", "turning arrow", *surfaces} - {"file"})
-    return {name: _mesh(packed_form(name, stage.around)) for name in names}
+    points = coil().round(4).tolist() if any(part.form == "coil" for part in parts) else []
+    return {"coil": points, "forms": {name: asdict(packed_form(name, stage.around)) for name in names}}
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
@@ -162,7 +156,7 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
     return {
         "name": item.name,
         "doc": item.doc,
-        "display": _display(_rate(display(item)) if item.name.startswith("der(") else display(item)),
+        "display": asdict(drawn_rate(display(item)) if item.name.startswith("der(") else display(item)),
         "value": value,
         "minimum": _finite(minimum),
         "maximum": _finite(maximum),
@@ -185,26 +179,16 @@ def _finite(value: float | None) -> float | None:
     return value if value is not None and math.isfinite(value) else None
 
 
-def _display(shown: Display) -> Json:
-    return {"unit": shown.unit, "scale": shown.scale, "shift": shown.shift}
+def occurrences(motion: Trajectory) -> list[Json]:
+    return [{"time": event.time, "name": event.name, "kind": event.kind} for event in motion.events]
 
 
 def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] | None = None) -> list[Json]:
     """`meshes` has the numbers of meshes by those of shapes."""
-    known = meshes or {}
-    return [
-        {**_shape(shape, source), **({"mesh": known[k]} if k in known else {})} for k, shape in enumerate(scene.shapes)
+    own: list[dict[str, Json]] = [
+        {"mesh": meshes[k]} if meshes and k in meshes else {} for k in range(len(scene.shapes))
     ]
-
-
-def _mesh(mesh: PackedMesh) -> Json:
-    return {
-        "points": mesh.points,
-        "triangles": mesh.triangles,
-        "low": mesh.low,
-        "step": mesh.step,
-        "data": mesh.data,
-    }
+    return [{**_shape(shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
 
 
 # Of these a page tells the values; places stand in the parts.

@@ -10,8 +10,8 @@ import numpy as np
 from lagdsl.documents.page.head import Json
 from lagdsl.documents.page.page import head_of_recording
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import States, own_parameters, recording_of, rows_of
-from lagdsl.documents.plot.picture.recording import Prepared, prepare
+from lagdsl.documents.page.states import States, recording_of, rows_of
+from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.source import SourceFile
@@ -42,7 +42,8 @@ def modes_page(
     where no mode moves.
     """
     prepared = prepare(flat)
-    p = own_parameters(prepared, dict(zip(names, modes.point.p.tolist(), strict=True)))
+    chosen = Wishes(parameters=dict(zip(names, modes.point.p.tolist(), strict=True)))
+    p = parameters_of(prepared.engine.layout, chosen)
     shown = [i for i, s in enumerate(modes.eigenvalues.tolist()) if not s.imag < 0.0 and s != 0.0][:_MOST_MODES]
     if not shown:
         why = "all eigenvalues are zero" if len(modes.eigenvalues) else "nothing in it is free to move"

@@ -9,7 +9,6 @@ A small loader, the only script in the text, inflates the program of the page an
 from __future__ import annotations
 
 import json
-import zlib
 from base64 import b64encode
 from collections.abc import Sequence
 from functools import cache
@@ -20,8 +19,8 @@ from pathlib import Path
 import numpy as np
 
 from lagdsl.documents.page.arrows import arrows
-from lagdsl.documents.page.digits import digits
 from lagdsl.documents.page.head import Json, head_of
+from lagdsl.documents.page.packed import deflated, digits
 from lagdsl.documents.plot.picture.recording import Recording, record_motion
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.backends.start import start_of
@@ -36,13 +35,7 @@ from lagdsl.motion.signals.trajectory import Trajectory
 
 _ROWS = 601
 _LETTERS_OF_A_LINE = 56
-_TABS = (
-    ("sliders", "Sliders"),
-    ("curves", "Curves"),
-    ("derivation", "Equations"),
-    ("source", "Model"),
-    ("table", "Values"),
-)
+_TABS = {"sliders": "Sliders", "curves": "Curves", "derivation": "Equations", "source": "Model", "table": "Values"}
 
 
 def page(
@@ -136,22 +129,24 @@ def html_of(
         "style-src 'unsafe-inline'; img-src data: blob:; media-src blob:"
     )
     tabs = "".join(
-        f'<button role="tab" id="{name}-tab" aria-controls="{name}-panel">{title}</button>' for name, title in _TABS
+        f'<button role="tab" id="{name}-tab" aria-controls="{name}-panel">{title}</button>'
+        for name, title in _TABS.items()
     )
     inside = {"derivation": f'{_UNITS}<div id="derivation">{derivation}</div>', "table": _TABLE}
     panels = "".join(
         f'<div role="tabpanel" id="{name}-panel" aria-labelledby="{name}-tab" tabindex="0">'
-        f"{inside.get(name, _empty(name))}</div>"
-        for name, _ in _TABS
+        + inside.get(name, f'<div id="{name}"></div>')
+        + "</div>"
+        for name in _TABS
     )
     doc = f"<p>{escape(flat.doc)}</p>" if flat.doc else ""
     data = {
         "code": _packed_file(folder / "page.js"),
         "worker": _packed_file(folder / "worker.js"),
         "wasm": _packed_file(folder / "lag.wasm"),
-        "tape": _packed(model_tape),
-        **({"vectors": _packed(arrow_tape)} if arrow_tape else {}),
-        "motion": _packed(motion),
+        "tape": deflated(model_tape),
+        **({"vectors": deflated(arrow_tape)} if arrow_tape else {}),
+        "motion": deflated(motion),
         "font": digits((page_folder() / "font" / "math.woff2").read_bytes()),
     }
     blocks = "".join(f'<script type="text/plain" id="{name}">{text}</script>\n' for name, text in data.items())
@@ -190,18 +185,10 @@ _TABLE = (
 )
 
 
-def _empty(name: str) -> str:
-    return f'<div id="{name}"></div>'
-
-
 @cache
 def _packed_file(path: Path) -> str:
     """One of those that all pages carry: to pack them takes longer than the rest of a small page."""
-    return _packed(path.read_bytes())
-
-
-def _packed(data: bytes) -> str:
-    return digits(zlib.compress(data, 9))
+    return deflated(path.read_bytes())
 
 
 def _json(head: Json) -> str:

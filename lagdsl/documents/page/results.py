@@ -10,8 +10,8 @@ import numpy as np
 
 from lagdsl.documents.page.page import head_of_recording
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import States, own_parameters, recording_of
-from lagdsl.documents.plot.picture.recording import Prepared, prepare
+from lagdsl.documents.page.states import States, recording_of
+from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
@@ -50,7 +50,7 @@ def results_page(
     if len(times) > _MOST_ROWS:  # thinned evenly; the last row stays
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))
         times, values = times[kept], {name: each[kept] for name, each in values.items()}
-    p = own_parameters(prepared, dict(wishes.parameters))
+    p = parameters_of(prepared.engine.layout, Wishes(parameters=wishes.parameters))
     made = recording_of(prepared, States(points=_points(prepared, times, values, p), p=p, events=_twice(times)), "file")
     motion = _as_recorded(prepared, made.motion, values)
     said = f"Recorded in {path.name}; nothing is integrated here."

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import replace
 
-from lagdsl.documents.page.head import Json
+from lagdsl.documents.page.head import Json, occurrences
 from lagdsl.documents.page.page import head_of_recording, html_of, starts_of
 from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
@@ -40,40 +40,31 @@ class Run:
     pace: float = 1.0
 
 
-@record(kw_only=True)
-class Setting:
-    """Values of one run of a sweep, by name in SI units, and inputs that are its own."""
-
-    label: str
-    parameters: Mapping[str, float] = field(default_factory=dict)
-    start: Mapping[str, float] = field(default_factory=dict)
-    inputs: Mapping[str, Signal] = field(default_factory=dict)
-
-
 def sweep_page(
     flat: FlatModel,
-    settings: Sequence[Setting],
+    settings: Sequence[tuple[str, Wishes]],
     wishes: Wishes,
     *,
     source: SourceFile | None = None,
     sink: Sink | None = None,
 ) -> str:
-    """The page of a sweep, with a slider over its runs; `wishes` is what all of them share. Where runs have inputs of
-    their own, the page shows the recorded motions and integrates none anew.
+    """The page of a sweep, with a slider over its runs: `settings` have the label and the values of each, `wishes` is
+    what all of them share. Where runs have inputs of their own, the page shows the recorded motions and integrates none
+    anew.
 
     Runs without a motion are shown as far as there is one; errors go to `sink`. Raises CompilationFailed where no run
     has a motion, ValueError for more runs than a page holds.
     """
     if len(settings) > MOST_RUNS:
         raise ValueError(f"a page holds at most {MOST_RUNS} runs, the sweep has {len(settings)}: give fewer values")
-    starts = {name for setting in settings for name in setting.start} | set(wishes.start)
+    starts = {name for _, own in settings for name in own.start} | set(wishes.start)
     prepared = prepare(flat, starts)
     width = len(prepared.compilation.flat.outputs) + 2 * len(flat.coordinates) + len(flat.states) + 4
     rows = min(max(_MOST_NUMBERS // (width * max(len(settings), 1)), _LEAST_ROWS), _MOST_ROWS)
     found: list[tuple[Recording, Wishes]] = []
     runs: list[Run] = []
     failures: list[CompilationFailed] = []
-    for setting in settings:
+    for label, setting in settings:
         own = replace(
             wishes,
             parameters={**wishes.parameters, **setting.parameters},
@@ -86,7 +77,7 @@ def sweep_page(
             failures.append(failure)
             continue
         found.append((made, own))
-        runs.append(Run(label=setting.label, motion=made.motion, span=made.span, said=made.ended, p=made.p.tolist()))
+        runs.append(Run(label=label, motion=made.motion, span=made.span, said=made.ended, p=made.p.tolist()))
     if not found:
         raise failures[0]
     if failures and sink is not None:
@@ -95,7 +86,7 @@ def sweep_page(
     first, own = found[0]
     head = head_of_recording(first, replace(wishes, inputs=own.inputs), source, [run.motion for run in runs])
     compiled = prepared.compilation
-    if len({_identity(setting.inputs) for setting in settings}) > 1:  # sliders of inputs are those of one run
+    if len({_identity(own.inputs) for _, own in settings}) > 1:  # sliders of inputs are those of one run
         return page_of_runs(flat, head, runs, compilation=compiled)
     made_tape = tape(compiled.program, start_of(compiled.flat, first.span[0], starts_of(first)))
     return page_of_runs(flat, head, runs, made_tape, compiled)
@@ -124,7 +115,7 @@ def page_of_runs(
             "pace": run.pace,
             "said": run.said,
             "parameters": None if run.p is None else list(run.p),
-            "events": [{"time": e.time, "name": e.name, "kind": e.kind} for e in run.motion.events],
+            "events": occurrences(run.motion),
         }
         for run in runs
     ]

@@ -53,13 +53,6 @@ def recording_of(prepared: Prepared, states: States, origin: str) -> Recording:
     return Recording(prepared=prepared, p=states.p, span=span, tolerance=tolerance, motion=motion, ended="")
 
 
-def own_parameters(prepared: Prepared, chosen: dict[str, float]) -> Floats:
-    """Parameters of the prepared model: defaults, and those that are chosen by name."""
-    layout = prepared.engine.layout
-    pairs = zip(layout.parameters, layout.defaults, strict=True)
-    return np.array([chosen.get(slot.name, value) for slot, value in pairs], dtype=np.float64)
-
-
 def _row(prepared: Prepared, point: Point, p: Floats) -> list[float]:
     engine = prepared.engine
     state = (point.t, point.q, point.qd, point.z, point.u, point.w, p)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lagdsl.documents.plot.figure import COLORS, STYLE, escaped, matplotlib_or_reason, save
+from lagdsl.documents.plot.sheet import COLORS, DARK, escaped, sheet, title
 from lagdsl.motion.analysis.control.frequency_response import FrequencyResponse
 from lagdsl.motion.analysis.control.margins import Crossing, lag
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MARK = COLORS[1]
-_GUIDE = "#333333"
 # Percent of the points, the highest and the lowest, may leave the panel; so many decibels beyond the others.
 _SPIKES = 5.0
 _BEYOND = 30.0
@@ -25,21 +24,13 @@ _BEYOND = 30.0
 
 def plot_bode(found: FrequencyResponse, path: Path | str | None = None) -> Figure:
     """Two panels over one axis of frequency in Hz; written to `path` if given. Needs the extra `plot`."""
-    mpl, figure_class, canvas_class = matplotlib_or_reason()
-    with mpl.rc_context(cast(Any, STYLE)):
-        figure = figure_class(figsize=(7.0, 5.0), layout="constrained")
-        canvas_class(figure)
-        above, below = figure.subplots(2, 1, sharex=True)
-    _draw(above, below, found)
     unit = found.output.unit, found.input.unit
     units = "" if unit == ("", "") else f" [{unit[0] or '1'} per {unit[1] or '1'}]"
-    above.set_title(
-        escaped(f"{found.model}: from {found.input.name} to {found.output.name}{units}"),
-        loc="left", fontweight="bold", color="#333333",
-    )  # fmt: skip
-    figure.align_ylabels([above, below])
-    if path is not None:
-        save(figure, path)
+    with sheet((7.0, 5.0), path) as figure:
+        above, below = figure.subplots(2, 1, sharex=True)
+        _draw(above, below, found)
+        title(above, escaped(f"{found.model}: from {found.input.name} to {found.output.name}{units}"))
+        figure.align_ylabels([above, below])
     return figure
 
 
@@ -59,7 +50,7 @@ def _draw(above: Axes, below: Axes, found: FrequencyResponse) -> None:
     above.set_xlim(float(found.frequencies[0]), float(found.frequencies[-1]))
     if found.every is not None:
         for panel in (above, below):
-            panel.axvline(0.5 / found.every, color=_GUIDE, linewidth=0.8)
+            panel.axvline(0.5 / found.every, color=DARK, linewidth=0.8)
     if found.margins is not None:
         _draw_margins(above, below, found)
 
@@ -77,7 +68,7 @@ def _draw_margins(above: Axes, below: Axes, found: FrequencyResponse) -> None:
     """Lines from the curves to gain one and to half a turn, at the crossings that decide."""
     margins = found.margins
     assert margins is not None
-    above.axhline(0.0, color=_GUIDE, linewidth=0.8, linestyle=":")
+    above.axhline(0.0, color=DARK, linewidth=0.8, linestyle=":")
     of_gain = next((each for each in margins.of_gain if 1.0 / abs(each.value) == margins.gain), None)
     if of_gain is not None:
         decibels = 20.0 * math.log10(abs(of_gain.value))
@@ -86,7 +77,7 @@ def _draw_margins(above: Axes, below: Axes, found: FrequencyResponse) -> None:
     if of_phase is not None:
         place = float(np.interp(_hertz(of_phase), found.frequencies, np.degrees(found.phase)))
         angle = math.degrees(margins.phase)
-        below.axhline(place - angle, color=_GUIDE, linewidth=0.8, linestyle=":")
+        below.axhline(place - angle, color=DARK, linewidth=0.8, linestyle=":")
         _mark(below, _hertz(of_phase), (place, place - angle), f"{round(angle, 1) + 0.0:g}°")
 
 

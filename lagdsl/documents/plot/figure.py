@@ -1,169 +1,320 @@
-"""A figure of a motion: what moves, how fast, what comes out, and whether the energy behaves."""
+"""Figures of a motion: what moves, how fast, what comes out, whether the energy behaves; chosen columns over time or
+against each other, of one motion or of the runs of a sweep."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lagdsl.motion.signals.trajectory import Column, Trajectory
+from lagdsl.documents.plot.names import ENERGY, panels_of, paths_of
+from lagdsl.documents.plot.sheet import COLORS, DARK, LINES, escaped, in_brackets, mark_events, sheet, title
+from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
+from lagdsl.language.flat.display import Display, drawn_rate
+from lagdsl.motion.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from types import ModuleType
-
     from matplotlib.axes import Axes
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-# Endings of files that a figure can be written to.
-FORMS = (".eps", ".jpg", ".pdf", ".png", ".svg", ".webp")
-# Okabe and Ito's colors, told apart with any kind of color vision.
-COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-LINES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
-_MOST_CURVES = 14
-_MOST_LINES = 100
-_MARKS = "#999999"
-STYLE: dict[str, Any] = {
-    "font.size": 9,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": "#666666",
-    "axes.labelcolor": "#333333",
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "#e6e6e6",
-    "xtick.color": "#666666",
-    "ytick.color": "#666666",
-    "lines.linewidth": 1.4,
-    "legend.frameon": False,
-    "figure.facecolor": "white",
-    "savefig.facecolor": "white",
-}
+_MOST_CURVES = 14  # of a panel of all columns of a kind
+_MOST_NAMED = 7  # curves in a legend; more runs have a scale of colors
+_MOST_DOTS = 200
+_WIDTH, _HEIGHT, _SQUARE = 8.0, 2.6, 4.6
+_TICKS = 5  # of the short axis of a path: numbers like -0.0015 stand beside each other
+_KINDS = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes", "output": "outputs"}
 
 
-def matplotlib_or_reason() -> tuple[ModuleType, type[Figure], type[FigureCanvasAgg]]:
-    """Matplotlib, its figure and a canvas that belongs to no window. Raises ModuleNotFoundError."""
-    try:
-        import matplotlib as mpl
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ModuleNotFoundError as missing:
-        raise ModuleNotFoundError(f"figures need matplotlib: pip install matplotlib ({missing})") from missing
-    return mpl, Figure, FigureCanvasAgg
+@record(kw_only=True)
+class Curve:
+    """One quantity in its display unit: `values` (runs, rows)."""
+
+    name: str
+    unit: str
+    values: Floats
+
+
+@record(kw_only=True)
+class Variation:
+    """Value that colors the runs of a sweep: `values` (runs,) in `unit`; `words` tell each run."""
+
+    name: str
+    unit: str
+    values: Floats
+    words: tuple[str, ...]
+
+
+@record(kw_only=True)
+class Bundle:
+    """Curves by name over `time` (rows,) [s]; `events` [s] are those that a figure marks."""
+
+    title: str
+    time: Floats
+    curves: Mapping[str, Curve]
+    events: tuple[float, ...] = ()
+    variation: Variation | None = None
+
+
+def bundle_of(motion: Trajectory) -> Bundle:
+    """All columns of a motion and its energy; ticks of clocks are no events to mark."""
+    curves = {name: shown(name, c.kind, c.display, c.values[None, :]) for c in motion.columns for name in c.called}
+    curves.setdefault(ENERGY, Curve(name=ENERGY, unit="J", values=motion.energy[None, :]))
+    events = tuple(sorted({event.time for event in motion.events if event.kind != "tick"}))
+    return Bundle(title=motion.model, time=motion.time, curves=curves, events=events)
+
+
+def shown(name: str, kind: str, display: Display, values: Floats) -> Curve:
+    """`values` of a column of this kind, in SI units, as people see them."""
+    display = drawn_rate(display) if kind == "rate" else display
+    return Curve(name=name, unit=display.unit, values=np.asarray(values * display.scale + display.shift))
 
 
 def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
     """One panel for each kind of quantity and unit, above one time axis; written to `path` (by its suffix) if given.
 
-    Needs the extra `plot`. The figure belongs to no window and needs no display. `plot_of` draws chosen columns.
+    Needs the extra `plot`. `plot_of` draws chosen columns.
     """
-    mpl, figure_class, canvas_class = matplotlib_or_reason()
-    trajectory = trajectory.drawn(smooth=True)
-    panels = _panels(trajectory)
-    heights = [1.5, *([1.0] * (len(panels) - 1))] if panels else []
-    energy = bool(np.any(np.isfinite(trajectory.energy)) and np.any(trajectory.energy))
-    rows = len(panels) + energy
-    with mpl.rc_context(cast(Any, STYLE)):
-        figure = figure_class(figsize=(8.0, 1.2 + 1.75 * max(sum(heights) + energy, 1.0)), layout="constrained")
-        canvas_class(figure)
-        grid = figure.subplots(
-            max(rows, 1), 1, sharex=True, squeeze=False, height_ratios=[*heights, *[1.0] * energy] or [1]
-        )
-        axes: list[Axes] = list(grid[:, 0])
-        for panel, columns in zip(axes, panels, strict=False):
-            _draw(panel, trajectory, columns)
+    motion = trajectory.drawn(smooth=True)
+    bundle = bundle_of(motion)
+    groups: dict[tuple[str, str], list[Curve]] = {}
+    for column in motion.columns[1:]:
+        curve = bundle.curves[column.name]
+        groups.setdefault((column.kind, curve.unit), []).append(curve)
+    energy = bool(np.any(np.isfinite(motion.energy)) and np.any(motion.energy))
+    heights = [1.5, *[1.0] * (len(groups) - 1 + energy)] if groups else [1.0]
+    with sheet((8.0, 1.2 + 1.75 * sum(heights)), path) as figure:
+        axes = list(figure.subplots(len(heights), 1, sharex=True, squeeze=False, height_ratios=heights)[:, 0])
+        for panel, ((kind, _), curves) in zip(axes, groups.items(), strict=False):
+            _draw_kind(panel, bundle, _KINDS[kind], curves)
         if energy:
-            _draw_energy(axes[-1], trajectory)
-        times = sorted({event.time for event in trajectory.events if event.kind != "tick"})
+            _draw_energy(axes[-1], motion)
         for panel in axes:
-            mark_events(panel, times, float(trajectory.time[-1] - trajectory.time[0]))
+            mark_events(panel, bundle.events, float(motion.time[-1] - motion.time[0]))
         axes[-1].set_xlabel("time [s]")
-        axes[0].set_title(trajectory.model, loc="left", fontweight="bold", color="#333333")
-        axes[-1].set_xlim(float(trajectory.time[0]), float(trajectory.time[-1]) if len(trajectory) > 1 else None)
+        title(axes[0], motion.model)
+        axes[-1].set_xlim(float(motion.time[0]), float(motion.time[-1]) if len(motion) > 1 else None)
         figure.align_ylabels(axes)
-        if path is not None:
-            save(figure, path)
     return figure
 
 
-def save(figure: Figure, path: Path | str) -> None:
-    """In the form of the suffix; a file without one, as drafts of atomic writing have, is a PNG."""
-    suffix = Path(path).suffix.lstrip(".").lower()
-    known = suffix in figure.canvas.get_supported_filetypes()
-    figure.savefig(path, dpi=150, format=suffix if known else "png")
-
-
-def _panels(trajectory: Trajectory) -> list[list[Column]]:
-    """Columns that share an axis: same kind, same display unit; in order of first appearance."""
-    panels: dict[tuple[str, str], list[Column]] = {}
-    for column in trajectory.columns[1:]:
-        panels.setdefault((column.kind, column.display.unit), []).append(column)
-    return list(panels.values())
-
-
-def _draw(panel: Axes, trajectory: Trajectory, columns: Sequence[Column]) -> None:
-    for index, column in enumerate(columns[:_MOST_CURVES]):
-        values = column.values * column.display.scale + column.display.shift
-        panel.plot(
-            trajectory.time,
-            values,
-            color=COLORS[index % len(COLORS)],
-            linestyle=LINES[index // len(COLORS) % len(LINES)],
-            label=escaped(column.name),
-        )
-    panel.set_ylabel(_label(columns))
+def _draw_kind(panel: Axes, bundle: Bundle, kind: str, curves: Sequence[Curve]) -> None:
+    """All curves of a kind and a unit, as far as there are colors and lines; the label of a lone one is its name."""
+    for index, curve in enumerate(curves[:_MOST_CURVES]):
+        _draw_runs(panel, bundle, bundle.time[None, :], curve, index)
+    panel.set_ylabel(_axis_label(curves) if len(curves) == 1 else kind + in_brackets(curves[0].unit, "\n"))
     panel.margins(y=0.08)
     panel.ticklabel_format(axis="y", useOffset=False)
-    if len(columns) > 1:
-        hidden = len(columns) - _MOST_CURVES
-        title = f"and {hidden} more" if hidden > 0 else None
-        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=title, fontsize=8, handlelength=1.6)
+    if len(curves) > 1:
+        more = f"and {len(curves) - _MOST_CURVES} more" if len(curves) > _MOST_CURVES else None
+        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=more, fontsize=8, handlelength=1.6)
 
 
-def mark_events(panel: Axes, times: Sequence[float], length: float) -> None:
-    """Lines at `times`, or dashes at the bottom if lines would hide the curves; `length` of the motion, all in s."""
-    apart = [t for k, t in enumerate(times) if k == 0 or t - times[k - 1] > length / _MOST_LINES]
-    if len(apart) < len(times) or len(times) > _MOST_LINES // 4:
-        (marks,) = panel.plot(times, np.zeros(len(times)), marker="|", linestyle="", color=_MARKS, markersize=5)
-        marks.set(transform=panel.get_xaxis_transform(), clip_on=False, zorder=1)
-    else:
-        for time in times:
-            panel.axvline(time, color=_MARKS, linewidth=0.7, linestyle=(0, (4, 3)), zorder=0.9)
-
-
-def _label(columns: Sequence[Column]) -> str:
-    """The name of a lone curve, else what the curves have in common; and the unit."""
-    plural = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes"}
-    name = escaped(columns[0].name) if len(columns) == 1 else plural.get(columns[0].kind, "outputs")
-    unit = columns[0].display.unit
-    return f"{name}\n[{unit}]" if unit not in ("", "1") else name
-
-
-def _draw_energy(panel: Axes, trajectory: Trajectory) -> None:
+def _draw_energy(panel: Axes, motion: Trajectory) -> None:
     """The energy itself where it changes visibly, its drift where it is conserved."""
-    change = trajectory.energy - trajectory.energy[0]
-    size = float(np.nanmax(np.abs(trajectory.energy)))
-    conserved = float(np.nanmax(np.abs(change))) < 1e-4 * size
-    panel.plot(trajectory.time, change if conserved else trajectory.energy, color="#555555")
+    change = motion.energy - motion.energy[0]
+    conserved = float(np.nanmax(np.abs(change))) < 1e-4 * float(np.nanmax(np.abs(motion.energy)))
+    panel.plot(motion.time, change if conserved else motion.energy, color="#555555")
     panel.set_ylabel("energy drift\n[J]" if conserved else "energy\n[J]")
     panel.margins(y=0.08)
     if conserved:
         panel.ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
-        panel.text(
-            1.0,
-            1.02,
-            f"of {trajectory.energy[0]:.5g} J",
-            transform=panel.transAxes,
-            ha="right",
-            va="bottom",
-            color="#666666",
-            fontsize=8,
-        )
+        small: dict[str, Any] = {"ha": "right", "va": "bottom", "color": "#666666", "fontsize": 8}
+        panel.text(1.0, 1.02, f"of {motion.energy[0]:.5g} J", transform=panel.transAxes, **small)
 
 
-def escaped(name: str) -> str:
-    """Names are plain text: `$` would start a formula, a leading `_` would hide a legend entry."""
-    text = name.replace("$", r"\$")
-    return f" {text}" if text.startswith("_") else text
+def plot_of(
+    motion: Trajectory,
+    path: Path | str | None = None,
+    *,
+    show: str | Sequence[str] | None = None,
+    xy: tuple[str, str] | Sequence[tuple[str, str]] | None = None,
+) -> Figure:
+    """Columns of a motion by their names, `energy` and `time` among them; without names all of them, see `plot`.
+
+    `show` is `"theta, der(theta)"`, one panel with an axis for each of two units, or several such texts, one panel
+    each. `xy` is `("x, u", "y, v")`, one panel with the paths (x, y) and (u, v), or several such pairs. Events are
+    marked. Raises KeyError for a name that no column has, ValueError where names make no panel.
+    """
+    if not show and not xy:
+        return plot(motion, path)
+    known = list(bundle_of(motion).curves)
+    panels, paths = panels_of(show, known), paths_of(xy, known)
+    return draw_chosen(bundle_of(motion.drawn(smooth=True)), panels, paths, path)
+
+
+def draw_chosen(
+    bundle: Bundle,
+    panels: Sequence[Sequence[str]],
+    paths: Sequence[Sequence[tuple[str, str]]],
+    path: Path | str | None = None,
+) -> Figure:
+    """`panels` are columns over time, those of two units on two axes; `paths` are pairs of columns against each other.
+
+    Panels stand below each other, paths at their right. Written to `path` (by its suffix) if given. Raises
+    ModuleNotFoundError without Matplotlib.
+    """
+    over_time = [part for names in panels for part in _by_units([bundle.curves[name] for name in names])]
+    width = (_WIDTH if over_time else 0.0) + _SQUARE * bool(paths) + 0.9 * (bundle.variation is not None)
+    height = 0.6 + max(_HEIGHT * len(over_time), (_SQUARE - 0.4) * len(paths))
+    with sheet((width, height), path) as figure:
+        right, left = _places(figure, len(over_time), len(paths))
+        for panel, parts in zip(left, over_time, strict=True):
+            _draw_over_time(panel, bundle, parts)
+        if left:
+            left[-1].set_xlabel("time [s]")
+            figure.align_ylabels(left)
+        for panel, pairs in zip(right, paths, strict=True):
+            _draw_paths(panel, bundle, [(bundle.curves[x], bundle.curves[y]) for x, y in pairs])
+        _tell_runs(figure, [*left, *right], bundle)
+        title((left or right)[0], bundle.title)
+    return figure
+
+
+def _places(figure: Figure, panels: int, paths: int) -> tuple[list[Axes], list[Axes]]:
+    """Axes of the paths, and those of the panels, which share their time."""
+    if not paths:
+        return [], list(figure.subplots(panels, 1, sharex=True, squeeze=False)[:, 0])
+    if not panels:
+        return list(figure.subplots(paths, 1, squeeze=False)[:, 0]), []
+    beside = figure.add_gridspec(1, 2, width_ratios=[_WIDTH, _SQUARE])
+    left = beside[0].subgridspec(panels, 1).subplots(sharex=True, squeeze=False)
+    right = beside[1].subgridspec(paths, 1).subplots(squeeze=False)
+    return list(right[:, 0]), list(left[:, 0])
+
+
+def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
+    """Curves of one unit share an axis, two units a panel; a third one opens the next panel."""
+    by_unit: dict[str, list[Curve]] = {}
+    for curve in curves:
+        by_unit.setdefault(curve.unit, []).append(curve)
+    groups = list(by_unit.values())
+    return [groups[k : k + 2] for k in range(0, len(groups), 2)]
+
+
+def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve]]) -> None:
+    twin = panel.twinx() if len(groups) > 1 else None
+    drawn = 0
+    for side, group in zip((panel, twin), groups, strict=False):
+        assert side is not None
+        for curve in group:
+            _draw_runs(side, bundle, np.broadcast_to(bundle.time, curve.values.shape), curve, drawn)
+            drawn += 1
+        side.set_ylabel(_axis_label(group), color=_ink(bundle, groups, drawn - len(group)))
+        side.margins(y=0.08)
+        _calm(side, group)
+        side.ticklabel_format(axis="y", useOffset=False)
+    if twin is not None:
+        twin.grid(visible=False)
+        twin.spines["right"].set_visible(True)
+    lines = [line for side in (panel, twin) if side is not None for line in side.lines]
+    if drawn > 1 and bundle.variation is None:
+        panel.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, fontsize=8, handlelength=1.6)
+    elif drawn > 1:
+        _tell_lines(panel, groups)
+    if len(bundle.time) > 1:
+        panel.set_xlim(float(bundle.time[0]), float(bundle.time[-1]))
+        mark_events(panel, bundle.events, float(bundle.time[-1] - bundle.time[0]))
+
+
+def _calm(panel: Axes, curves: Sequence[Curve]) -> None:
+    """Round-off does not fill the height: what is constant to nine digits looks constant."""
+    values = np.concatenate([curve.values[np.isfinite(curve.values)] for curve in curves])
+    if len(values) and 0.0 < np.ptp(values) < 1e-9 * np.max(np.abs(values)):
+        middle, size = float(np.mean(values)), float(np.max(np.abs(values)))
+        panel.set_ylim(middle - 1e-3 * size, middle + 1e-3 * size)
+
+
+def _ink(bundle: Bundle, groups: Sequence[Sequence[Curve]], first: int) -> str:
+    """Color of the label of an axis: that of its curve where each of two axes has one."""
+    if bundle.variation is None and len(groups) > 1 and all(len(group) == 1 for group in groups):
+        return COLORS[first % len(COLORS)]
+    return DARK
+
+
+def _tell_lines(panel: Axes, groups: Sequence[Sequence[Curve]]) -> None:
+    """Dashes tell the columns, because colors tell the runs."""
+    from matplotlib.lines import Line2D
+
+    names = [curve.name for group in groups for curve in group]
+    handles = [
+        Line2D([], [], color=DARK, linestyle=LINES[k % len(LINES)], label=escaped(name)) for k, name in enumerate(names)
+    ]
+    panel.legend(handles=handles, loc="upper right", fontsize=8, handlelength=2.2)
+
+
+def _draw_runs(panel: Axes, bundle: Bundle, x: Floats, curve: Curve, index: int) -> None:
+    """Of a motion the curve in a color of its own; of a sweep a curve for each run."""
+    if bundle.variation is None:
+        style = LINES[index // len(COLORS) % len(LINES)]
+        panel.plot(x[0], curve.values[0], color=COLORS[index % len(COLORS)], linestyle=style, label=escaped(curve.name))
+        return
+    runs = len(curve.values)
+    for k, color in enumerate(_run_colors(bundle)):
+        panel.plot(x[k], curve.values[k], color=color, linestyle=LINES[index % len(LINES)],
+                   linewidth=1.4 if runs <= 20 else 0.8, alpha=1.0 if runs <= 20 else 0.7)  # fmt: skip
+
+
+def _run_colors(bundle: Bundle) -> list[Any]:
+    assert bundle.variation is not None
+    values = bundle.variation.values
+    if len(values) <= _MOST_NAMED:
+        return [COLORS[k % len(COLORS)] for k in range(len(values))]
+    import matplotlib as mpl
+
+    low, high = float(np.min(values)), float(np.max(values))
+    parts = (values - low) / (high - low) if high > low else np.full(len(values), 0.5)
+    return list(mpl.colormaps["viridis"](parts))
+
+
+def _draw_paths(panel: Axes, bundle: Bundle, pairs: Sequence[tuple[Curve, Curve]]) -> None:
+    for index, (right, up) in enumerate(pairs):
+        _draw_runs(panel, bundle, right.values, up, index)
+        starts = panel.lines[-len(up.values) :]
+        for line, x, y in zip(starts, right.values, up.values, strict=True):
+            panel.plot(x[:1], y[:1], "o", color=line.get_color(), markersize=4)
+        _dot_events(panel, bundle, right, up)
+    rights, ups = [list({curve.name: curve for curve in side}.values()) for side in zip(*pairs, strict=True)]
+    panel.set_xlabel(_axis_label(rights, between=" "))
+    panel.set_ylabel(_axis_label(ups))
+    panel.margins(0.06)
+    panel.locator_params(axis="x", nbins=_TICKS)
+    if len(pairs) > 1 and bundle.variation is None:
+        panel.legend(handles=panel.lines[: 2 * len(pairs) : 2], fontsize=8)
+    units = {curve.unit for curve in (*rights, *ups)}
+    if len(units) == 1 and units <= {"m", "cm", "mm", "km"}:  # a path in space keeps its shape
+        panel.set_aspect("equal", adjustable="datalim")
+
+
+def _dot_events(panel: Axes, bundle: Bundle, right: Curve, up: Curve) -> None:
+    """Places of the events; rows stand just before and just after each of them."""
+    for time in bundle.events[:_MOST_DOTS]:
+        rows = np.flatnonzero(bundle.time == time)
+        panel.plot(right.values[0, rows], up.values[0, rows], "x", color="#666666", markersize=4, zorder=3)
+
+
+def _axis_label(curves: Sequence[Curve], between: str = "\n") -> str:
+    names = ", ".join(escaped(curve.name) for curve in curves[:4]) + (", ..." if len(curves) > 4 else "")
+    units = dict.fromkeys(curve.unit for curve in curves)
+    return names + in_brackets(", ".join(unit for unit in units if unit not in ("", "1")), between)
+
+
+def _tell_runs(figure: Figure, panels: Sequence[Axes], bundle: Bundle) -> None:
+    """A legend for few runs, a scale of colors for many."""
+    variation = bundle.variation
+    if variation is None:
+        return
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.lines import Line2D
+
+    if len(variation.values) <= _MOST_NAMED:
+        colors = _run_colors(bundle)
+        handles = [Line2D([], [], color=c, label=escaped(w)) for c, w in zip(colors, variation.words, strict=True)]
+        figure.legend(handles=handles, loc="outside right upper", fontsize=8)
+        return
+    scale = Normalize(float(np.min(variation.values)), float(np.max(variation.values)))
+    label = escaped(variation.name) + in_brackets(variation.unit)
+    figure.colorbar(ScalarMappable(scale, "viridis"), ax=list(panels), label=label, pad=0.02)

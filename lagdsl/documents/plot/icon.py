@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lagdsl.documents.plot.figure import COLORS, STYLE, escaped
+from lagdsl.documents.plot.sheet import COLORS, DARK, escaped, sheet
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,20 +22,14 @@ _LARGEST, _WIDTH = 16.0, 210.0
 
 def icon(trajectory: Trajectory) -> bytes:
     """A PNG of 256 x 256 pixels; the same motion, the same bytes. Needs the extra `plot`."""
-    import matplotlib as mpl
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    with mpl.rc_context(cast(Any, STYLE)):
-        figure = Figure(figsize=(_INCHES, _INCHES))
-        FigureCanvasAgg(figure)
+    with sheet((_INCHES, _INCHES), layout=None) as figure:
         axes = figure.add_axes((0.08, 0.2, 0.84, 0.72))
         axes.set_axis_off()
         for color, column in zip(COLORS, trajectory.columns[1 : 1 + _CURVES], strict=False):
             axes.plot(trajectory.time, _scaled(column.values), color=color, linewidth=2.2, solid_capstyle="round")
         name = escaped(trajectory.model)
         size = min(_LARGEST, _WIDTH / max(len(name), 1))
-        figure.text(0.5, 0.06, name, ha="center", va="bottom", fontsize=size, fontweight="bold", color="#333333")
+        figure.text(0.5, 0.06, name, ha="center", va="bottom", fontsize=size, fontweight="bold", color=DARK)
         return png(figure, _DOTS)
 
 

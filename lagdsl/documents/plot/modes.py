@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from lagdsl.documents.plot.figure import COLORS, STYLE, escaped, matplotlib_or_reason, save
+from lagdsl.documents.plot.sheet import COLORS, DARK, escaped, in_brackets, sheet, title
 from lagdsl.motion.analysis.modes import Modes, phase_of
 from lagdsl.motion.analysis.variation import Variation
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _MOST_MODES = 8
 _MOST_PLACES = 24
 _COLUMNS = 2
+_THRESHOLD = COLORS[1]
 
 
 def plot_modes(modes: Modes, path: Path | str | None = None) -> Figure:
@@ -30,13 +31,14 @@ def plot_modes(modes: Modes, path: Path | str | None = None) -> Figure:
     rows = max((len(shown) + _COLUMNS - 1) // _COLUMNS, 1)
     columns = min(_COLUMNS, max(len(shown), 1))
     places = min(len(modes.places), _MOST_PLACES)
-    figure, axes = _panels(rows, columns, (4.2 * columns, 0.7 + rows * (1.1 + 0.2 * places)), share=True)
-    for panel, i in zip(axes, shown, strict=False):
-        _draw_shape(panel, modes, i, places)
-    for panel in axes[len(shown) :]:
-        panel.set_visible(False)
-    figure.suptitle(f"{modes.model}: mode shapes", x=0.01, ha="left", fontweight="bold", color="#333333", fontsize=10)
-    return _finished(figure, path)
+    with sheet((4.2 * columns, 0.7 + rows * (1.1 + 0.2 * places)), path) as figure:
+        axes = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True).ravel()
+        for panel, i in zip(axes, shown, strict=False):
+            _draw_shape(panel, modes, i, places)
+        for panel in axes[len(shown) :]:
+            panel.set_visible(False)
+        figure.suptitle(f"{modes.model}: mode shapes", x=0.01, ha="left", fontweight="bold", color=DARK, fontsize=10)
+    return figure
 
 
 def plot_variation(variation: Variation, path: Path | str | None = None) -> Figure:
@@ -44,48 +46,33 @@ def plot_variation(variation: Variation, path: Path | str | None = None) -> Figu
 
     Needs the extra `plot`; written to `path` if given.
     """
-    figure, (locus, growth, frequency) = _panels(1, 3, (11.0, 3.6), share=False)
-    unit = variation.varied.unit
-    label = escaped(variation.varied.name) + (f" [{unit}]" if unit not in ("", "1") else "")
-    values, s = variation.values, variation.eigenvalues
-    points = locus.scatter(
-        s.real.ravel(), s.imag.ravel(), c=np.repeat(values, s.shape[1]), s=7, cmap="viridis", linewidths=0.0
-    )
-    figure.colorbar(points, ax=locus, label=label, pad=0.02)
-    locus.axvline(0.0, color="#333333", linewidth=0.8)
-    locus.set(xlabel="real part [1/s]", ylabel="imaginary part [1/s]")
-    for branch in range(s.shape[1]):
-        color = COLORS[branch % len(COLORS)]
-        growth.plot(values, s[:, branch].real, ".", markersize=3, color=color)
-        frequency.plot(values, np.abs(s[:, branch].imag) / (2.0 * np.pi), ".", markersize=3, color=color)
-    growth.axhline(0.0, color="#333333", linewidth=0.8)
-    growth.set(xlabel=label, ylabel="real part [1/s]")
-    frequency.set(xlabel=label, ylabel="frequency [Hz]")
-    for each in variation.thresholds:
-        for panel in (growth, frequency):
-            panel.axvline(each.value, color="#D55E00", linewidth=0.9, linestyle="--")
-        locus.plot([0.0, 0.0], [each.eigenvalue.imag, -each.eigenvalue.imag], "x", color="#D55E00", markersize=6)
-        frequency.annotate(
-            f" {each.kind} {each.value:.5g}",
-            (each.value, 1.0),
-            xycoords=("data", "axes fraction"),
-            rotation=90,
-            va="top",
-            ha="right",
-            fontsize=8,
-            color="#D55E00",
-        )
-    locus.set_title(variation.model, loc="left", fontweight="bold", color="#333333")
-    return _finished(figure, path)
-
-
-def _panels(rows: int, columns: int, size: tuple[float, float], *, share: bool) -> tuple[Figure, list[Axes]]:
-    mpl, figure_class, canvas_class = matplotlib_or_reason()
-    with mpl.rc_context(cast(Any, STYLE)):
-        figure = figure_class(figsize=size, layout="constrained")
-        canvas_class(figure)
-        grid = figure.subplots(rows, columns, squeeze=False, sharex=share, sharey=share)
-    return figure, list(grid.ravel())
+    with sheet((11.0, 3.6), path) as figure:
+        locus, growth, frequency = figure.subplots(1, 3)
+        label = escaped(variation.varied.name) + in_brackets(variation.varied.unit)
+        values, s = variation.values, variation.eigenvalues
+        colors = np.repeat(values, s.shape[1])
+        points = locus.scatter(s.real.ravel(), s.imag.ravel(), c=colors, s=7, cmap="viridis", linewidths=0.0)
+        figure.colorbar(points, ax=locus, label=label, pad=0.02)
+        locus.axvline(0.0, color=DARK, linewidth=0.8)
+        locus.set(xlabel="real part [1/s]", ylabel="imaginary part [1/s]")
+        for panel, of, words in (
+            (growth, s.real, "real part [1/s]"),
+            (frequency, np.abs(s.imag) / (2.0 * np.pi), "frequency [Hz]"),
+        ):
+            for branch, column in enumerate(of.T):
+                panel.plot(values, column, ".", markersize=3, color=COLORS[branch % len(COLORS)])
+            panel.set(xlabel=label, ylabel=words)
+            for each in variation.thresholds:
+                panel.axvline(each.value, color=_THRESHOLD, linewidth=0.9, linestyle="--")
+        growth.axhline(0.0, color=DARK, linewidth=0.8)
+        for each in variation.thresholds:
+            locus.plot([0.0, 0.0], [each.eigenvalue.imag, -each.eigenvalue.imag], "x", color=_THRESHOLD, markersize=6)
+            frequency.annotate(
+                f" {each.kind} {each.value:.5g}", (each.value, 1.0), xycoords=("data", "axes fraction"),
+                rotation=90, va="top", ha="right", fontsize=8, color=_THRESHOLD,
+            )  # fmt: skip
+        title(locus, variation.model)
+    return figure
 
 
 def _draw_shape(panel: Axes, modes: Modes, i: int, places: int) -> None:
@@ -98,12 +85,12 @@ def _draw_shape(panel: Axes, modes: Modes, i: int, places: int) -> None:
         for position, entry in zip(positions, shape.tolist(), strict=True):
             if abs(entry) > 1e-6:
                 angle = f" {phase_of(entry):.0f}°"
-                panel.annotate(angle, (abs(entry), position), va="center", fontsize=7, color="#333333")
-    panel.axvline(0.0, color="#333333", linewidth=0.8)
+                panel.annotate(angle, (abs(entry), position), va="center", fontsize=7, color=DARK)
+    panel.axvline(0.0, color=DARK, linewidth=0.8)
     panel.set_yticks(positions, [escaped(named.name) for named in modes.places[:places]])
     panel.set_ylim(places - 0.4, -0.6)
     panel.set_xlim(-1.25, 1.25)
-    panel.set_title(_title(modes, i), loc="left", fontsize=9, color="#333333")
+    panel.set_title(_title(modes, i), loc="left", fontsize=9, color=DARK)
 
 
 def _title(modes: Modes, i: int) -> str:
@@ -111,9 +98,3 @@ def _title(modes: Modes, i: int) -> str:
     if f > 0.0:
         return f"{f:.4g} Hz" + (f", damping {z:.3g}" if abs(z) > 1e-7 else "")
     return "zero" if s == 0.0 else f"{s.real:.4g} 1/s"
-
-
-def _finished(figure: Figure, path: Path | str | None) -> Figure:
-    if path is not None:
-        save(figure, path)
-    return figure

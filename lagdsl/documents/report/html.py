@@ -110,7 +110,7 @@ def _equations(equations: tuple[Equation, ...], width: int) -> str:
             continue
         tables += _tables(aligned)
         aligned = []
-        tables += _tables([f'<mtr><mtd class="right">{_continued(part)}</mtd></mtr>' for part in parts])
+        tables += _tables([f"<tr>{_cell('right', _continued(part))}</tr>" for part in parts])
     letters = max((_letters(part) for equation in equations for part in lines(equation, width)), default=0)
     style = f' style="--letters: {letters}"' if letters > width else ""
     return f'<div class="{kind}"{style}>{"".join([*tables, *_tables(aligned)])}</div>'
@@ -121,17 +121,18 @@ def _letters(part: Line) -> int:
 
 
 def _tables(rows: list[str]) -> list[str]:
-    """At most one table."""
-    if not rows:
-        return []
-    return [f'<math display="block"><mtable class="aligned" displaystyle="true">{"".join(rows)}</mtable></math>']
+    """At most one table. It is none of MathML: paper breaks between its rows, and through the middle of a formula."""
+    return [f'<table class="aligned" role="presentation">{"".join(rows)}</table>'] if rows else []
+
+
+def _cell(side: str, formula: str) -> str:
+    return f'<td class="{side}"><math displaystyle="true">{formula}</math></td>' if formula else "<td></td>"
 
 
 def _aligned(part: Line) -> str:
-    if part.left is None:
-        return f'<mtr><mtd class="left"></mtd><mtd class="right">{_continued(part)}</mtd></mtr>'
-    right = element(Row((EQUALS, part.right)))
-    return f'<mtr><mtd class="left">{element(part.left)}</mtd><mtd class="right">{right}</mtd></mtr>'
+    left = "" if part.left is None else element(part.left)
+    right = _continued(part) if part.left is None else element(Row((EQUALS, part.right)))
+    return f"<tr>{_cell('left', left)}{_cell('right', right)}</tr>"
 
 
 def _continued(part: Line) -> str:

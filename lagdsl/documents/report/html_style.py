@@ -30,10 +30,9 @@ math { font-size: 1.05em;
 .equations { margin: 0.7rem 0; padding: 0.5rem 1.2rem; border-left: 3px solid var(--line); }
 .equations.final { background: var(--wash); border-left-color: var(--accent); border-radius: 0 6px 6px 0;
   padding: 0.9rem 1.2rem; }
-.equations math { display: block math; text-align: left; width: max-content; }
-.aligned > mtr > mtd { padding: 0.34em 0.1em; }
-.aligned > mtr > mtd.left { text-align: right; }
-.aligned > mtr > mtd.right { text-align: left; }
+.aligned { margin: 0; font-size: 1em; }
+.aligned td { padding: 0.34em 0.1em; border: 0; vertical-align: baseline; white-space: nowrap; }
+.aligned td.left { text-align: right; }
 figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; }
 figcaption { color: var(--soft); font-size: 0.92em; }
 .dot { font-size: 140%; }
@@ -46,6 +45,6 @@ mi.word { font-style: italic; }
 @media print { body { font-size: 11pt; background: #fff; color: #000; } main { max-width: none; padding: 0; }
   .equations, .scroll { overflow: visible; }
   .equations math { font-size: min(0.82em, calc(84em / var(--letters, 92))); }
-  .aligned > mtr, tr { break-inside: avoid; } h2, p:has(+ .equations) { break-after: avoid; }
+  tr { break-inside: avoid; } h2, p:has(+ .equations) { break-after: avoid; }
   figure { break-inside: avoid; } }
 """

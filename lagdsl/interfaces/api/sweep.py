@@ -28,7 +28,7 @@ from lagdsl.motion.sweep.values import axis, axis_of
 if TYPE_CHECKING:
     import xarray
 
-    from lagdsl.documents.page.runs import Setting
+    from lagdsl.documents.plot.picture.wishes import Wishes
 
 
 def run_sweep(
@@ -110,10 +110,10 @@ def _axis(target: Target, values: ArrayLike, *, drawn: bool = False) -> Axis:
     return axis(target, numbers)
 
 
-def settings_of(flat: FlatModel, data: xarray.Dataset) -> list[Setting]:
-    """Values of every run of a dataset that `run_sweep` made of this model, or of a part of it. Raises ValueError, also
-    where runs have tables of their own, which no dataset holds."""
-    from lagdsl.documents.page.runs import Setting
+def settings_of(flat: FlatModel, data: xarray.Dataset) -> list[tuple[str, Wishes]]:
+    """Labels and values of every run of a dataset that `run_sweep` made of this model, or of a part of it. Raises
+    ValueError, also where runs have tables of their own, which no dataset holds."""
+    from lagdsl.documents.plot.picture.wishes import Wishes
     from lagdsl.motion.sweep.dataset import STATUS, TABLES
 
     if data.attrs.get("model") != flat.name:
@@ -128,14 +128,14 @@ def settings_of(flat: FlatModel, data: xarray.Dataset) -> list[Setting]:
     names = [str(name) for name in data.coords if str(name) in known]
     values = {name: np.broadcast_to(_aligned(data, name, status), status.shape).ravel().tolist() for name in names}
     varied = [name for name in names if len(set(values[name])) > 1]
-    found = []
+    found: list[tuple[str, Wishes]] = []
     for k in range(status.size):
         own = {name: values[name][k] for name in names}
         label = ", ".join(_told(known[name], own[name]) for name in varied)
         parameters = {known[name].key: value for name, value in own.items() if known[name].kind == "parameter"}
         start = {known[name].key: value for name, value in own.items() if known[name].kind == "start"}
         inputs = {name: value for name, value in own.items() if known[name].kind == "input"}
-        found.append(Setting(label=label or f"run {k + 1}", parameters=parameters, start=start, inputs=inputs))
+        found.append((label or f"run {k + 1}", Wishes(parameters=parameters, start=start, inputs=inputs)))
     return found
 
 

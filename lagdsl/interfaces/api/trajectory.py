@@ -64,6 +64,6 @@ class Trajectory(trajectory.Trajectory):
         `xy=("theta", "der(theta)")` draws the second against the first; a list of such pairs has a panel for each.
         Raises KeyError for a name that no column has.
         """
-        from lagdsl.documents.plot.chosen import plot_of
+        from lagdsl.documents.plot.figure import plot_of
 
         return plot_of(self, path, show=show, xy=xy)

@@ -100,7 +100,7 @@ def require_figure(picture: Path) -> None:
     """Leave with status 2, before the work is done, where no figure of that ending can be drawn."""
     from importlib.util import find_spec
 
-    from lagdsl.documents.plot.figure import FORMS
+    from lagdsl.documents.plot.sheet import FORMS
 
     if picture.suffix.lower() not in ("", *FORMS):
         raise click.UsageError(f"{picture.name}: figures are written as {', '.join(FORMS)}")

@@ -1,4 +1,4 @@
-"""`--gif`, `--png`, `--at`: the machine as a film and as a picture."""
+"""`--gif`, `--png`, `--at`, `--follow`: the machine as a film and as a picture."""
 
 from __future__ import annotations
 
@@ -20,11 +20,12 @@ from lagdsl.language.settings.literal import seconds
 
 @record(kw_only=True)
 class Pictures:
-    """Paths of a film and of a picture, and the times [s] that the picture shows."""
+    """Paths of a film and of a picture, the times [s] of the picture; `follow`: the view goes with the machine."""
 
     gif: Path | None
     png: Path | None
     at: tuple[float, ...]
+    follow: bool
 
     @property
     def wanted(self) -> bool:
@@ -32,11 +33,11 @@ class Pictures:
 
 
 def takes_pictures(command: Command) -> Command:
-    """Add `--gif`, `--png` and `--at`; the command gets them as `pictures`."""
+    """Add `--gif`, `--png`, `--at` and `--follow`; the command gets them as `pictures`."""
 
     @wraps(command)
-    def called(*, gif: Path | None, png: Path | None, at: str | None, **given: Any) -> None:
-        command(pictures=Pictures(gif=gif, png=png, at=_times(at)), **given)
+    def called(*, gif: Path | None, png: Path | None, at: str | None, follow: bool, **given: Any) -> None:
+        command(pictures=Pictures(gif=gif, png=png, at=_times(at), follow=follow), **given)
 
     return combined(
         click.option("--gif", type=PATH, metavar="F.gif", help="Write a film of the machine."),
@@ -46,6 +47,7 @@ def takes_pictures(command: Command) -> Command:
             metavar="T,...",
             help="Time of the picture [s]; of several times, the last is drawn in full and the others are pale.",
         ),
+        click.option("--follow", is_flag=True, help="Let the view of the film and the picture go with the machine."),
     )(called)
 
 
@@ -65,6 +67,8 @@ def require_pictures(pictures: Pictures) -> None:
     require_ending(pictures.png, "pictures are", ".png", ".svg", ".pdf")
     if pictures.at and pictures.png is None:
         raise click.UsageError("--at says which moments --png shows: give --png FILE, too")
+    if pictures.follow and not pictures.wanted:
+        raise click.UsageError("--follow is said of a film or a picture: give --gif FILE or --png FILE, too")
     for path in (pictures.gif, pictures.png):
         if path is not None:
             require_figure(Path("figure.png"))
@@ -78,9 +82,9 @@ def draw_pictures(pictures: Pictures, flat: FlatModel, wishes: Wishes, sink: Sin
     try:
         if pictures.png is not None:
             with draft_of(pictures.png) as draft, progress(pictures.png.name):
-                write_picture(flat, wishes, draft, pictures.at, sink)
+                write_picture(flat, wishes, draft, pictures.at, sink, follow=pictures.follow)
         if pictures.gif is not None:
             with draft_of(pictures.gif) as draft, progress(pictures.gif.name):
-                write_film(flat, wishes, draft, sink)
+                write_film(flat, wishes, draft, sink, follow=pictures.follow)
     except ValueError as error:
         raise click.UsageError(str(error)) from error

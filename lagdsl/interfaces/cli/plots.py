@@ -78,7 +78,7 @@ def draw_plot(plot: Plot, motion: Trajectory, kept: Trajectory) -> None:
     """Write the figure, if one is asked for: chosen columns of `motion`, or all that are `kept`."""
     if plot.path is None:
         return
-    from lagdsl.documents.plot.chosen import plot_of
+    from lagdsl.documents.plot.figure import plot_of
 
     with draft_of(plot.path) as draft:
         plot_of(motion if plot.show or plot.xy else kept, draft, show=plot.show, xy=plot.xy)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagdsl.documents.page.runs import MOST_RUNS, Setting, sweep_page
+from lagdsl.documents.page.runs import MOST_RUNS, sweep_page
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
@@ -35,7 +35,6 @@ def page_of(plan: Plan, models: Sequence[FlatModel], wishes: Wishes, source: Sou
     found = []
     for k in range(plan.runs):
         chosen = settings(plan, k)
-        label = place(plan, k) or f"run {k + 1}"
-        own = inputs_of(plan, k)
-        found.append(Setting(label=label, parameters=chosen["parameter"], start=chosen["start"], inputs=own))
+        own = Wishes(parameters=chosen["parameter"], start=chosen["start"], inputs=inputs_of(plan, k))
+        found.append((place(plan, k) or f"run {k + 1}", own))
     return sweep_page(models[0], found, wishes, source=source, sink=sink)

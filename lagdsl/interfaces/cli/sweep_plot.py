@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from lagdsl.documents.plot.bundle import Bundle, Variation, shown
+from lagdsl.documents.plot.figure import Bundle, Variation, shown
 from lagdsl.interfaces.cli.output import draft_of
 from lagdsl.interfaces.cli.plots import Plot, chosen
 from lagdsl.language.flat.display import Display
@@ -30,7 +30,7 @@ def draw_sweep(plot: Plot, data: xarray.Dataset, plan: Plan, models: Sequence[Fl
     """Write the figure, if one is asked for; without names it shows the coordinates."""
     if plot.path is None:
         return
-    from lagdsl.documents.plot.chosen import draw_chosen
+    from lagdsl.documents.plot.figure import draw_chosen
 
     heads = {name: head for flat in models for name, head in called_heads(flat).items()}
     over_time = {str(name): v.values for name, v in data.data_vars.items() if len(v.dims) > len(plan.shape)}
@@ -40,7 +40,7 @@ def draw_sweep(plot: Plot, data: xarray.Dataset, plan: Plan, models: Sequence[Fl
     bundle = Bundle(
         title=str(data.attrs["model"]),
         time=time,
-        curves={name: shown(name, heads[name][3], values) for name, values in runs.items()},
+        curves={name: shown(name, heads[name][2], heads[name][3], values) for name, values in runs.items()},
         variation=_variation(plan),
     )
     panels, paths = chosen(plot, list(runs))

@@ -43,6 +43,12 @@ def display_rate(coordinate: Coordinate) -> Display:
     return Display(f"{shown.unit or '1'}/s", shown.scale)
 
 
+def drawn_rate(shown: Display) -> Display:
+    """Of a rate in pictures, where people read spins in rad/s and currents in A: the SI units."""
+    read = {"deg/s": "rad/s", "C/s": "A"}.get(shown.unit)
+    return shown if read is None else Display(read)
+
+
 def quantity_text(si: float, quantity: Quantity) -> str:
     """`30 deg`, four digits."""
     shown = display(quantity)

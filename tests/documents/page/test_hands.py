@@ -233,7 +233,7 @@ def test_printed_formulas_fit_the_paper(browser: Any, tmp_path: Path) -> None:
     }""")
     assert wide == 0
     pages = page.pdf(format="A4").count(b"/Type /Page\n") or page.pdf(format="A4").count(b"/Type /Page ")
-    assert 3 <= pages <= 12
+    assert 3 <= pages <= 8  # formulas break between their lines: no heading stands alone on a sheet
     page.close()
 
 

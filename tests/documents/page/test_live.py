@@ -66,7 +66,7 @@ def answered(
     for part, file in (("worker", "worker.js"), ("wasm", "lag.wasm"), (tape, "model.tape")):
         (folder / file).write_bytes(elements.inflated(part))
     setup = {key: head[key] for key in ("start", "stop", "lasting")}
-    setup |= {"rows": ROWS, "tolerance": 1e-10, "entries": len(head["blamed"]["entries"]), "by": by}
+    setup |= {"rows": ROWS, "tolerance": 1e-10, "entries": len(head["blamed"]["entries"]), "by": by, "longest": 60_000}
     (folder / "setup.json").write_text(json.dumps(setup))
     strangers = set(moved) - {slider["name"] for slider in head["parameters"]}
     assert not strangers

@@ -14,9 +14,8 @@ from page.pages import MODELS, page_of
 from PIL import Image
 from scipy.ndimage import binary_dilation
 
-from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.draw import draw, prepared
-from lagdsl.documents.plot.picture.recording import record_motion, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import record_motion, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.motion.pipeline import flatten_file, read
@@ -58,7 +57,7 @@ def test_page_and_picture_show_the_same_machine(name: str, browser: Any, tmp_pat
     flat = flatten_file(file, sink)
     assert flat is not None
     made = record_motion(flat, Wishes(), 601)
-    picture = prepared(stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene)))
+    picture = prepared(staged(flat, made.scene, [made.motion]))
     picture.figure.set_dpi(200)
     draw(picture, 0)
     picture.figure.canvas.draw()

@@ -10,7 +10,7 @@ import pytest
 from choice import spread
 from plot.motions import ANGLE, T, bounces, column, trajectory
 
-from lagdsl.documents.plot.chosen import plot_of
+from lagdsl.documents.plot.figure import plot_of
 from lagdsl.documents.plot.names import columns_in, names_in, paths_of
 
 SPIN = column("der(theta)", 5 * np.cos(5 * T), "rate", "deg/s", scale=180 / np.pi)
@@ -44,15 +44,15 @@ def test_names_that_make_no_panel_are_told() -> None:
 def test_two_units_have_two_axes_and_their_labels_the_units() -> None:
     figure = plot_of(trajectory(ANGLE, SPIN, X), show="theta, der(theta)")
     left, right = figure.axes
-    assert (left.get_ylabel(), right.get_ylabel()) == ("theta\n[deg]", "der(theta)\n[deg/s]")
-    assert right.lines[0].get_ydata()[0] == pytest.approx(np.rad2deg(5.0))
+    assert (left.get_ylabel(), right.get_ylabel()) == ("theta\n[deg]", "der(theta)\n[rad/s]")
+    assert right.lines[0].get_ydata()[0] == pytest.approx(5.0)
     assert left.lines[0].get_color() != right.lines[0].get_color()
 
 
 def test_a_third_unit_and_every_further_text_open_a_panel() -> None:
     motion = trajectory(ANGLE, SPIN, X, energy=2.0 + T)
     assert [axes.get_ylabel() for axes in plot_of(motion, show="theta, der(theta), x").axes] == [
-        "theta\n[deg]", "x\n[m]", "der(theta)\n[deg/s]",
+        "theta\n[deg]", "x\n[m]", "der(theta)\n[rad/s]",
     ]  # fmt: skip
     labels = [axes.get_ylabel() for axes in plot_of(motion, show=["theta", "energy"]).axes]
     assert labels == ["theta\n[deg]", "energy\n[J]"]
@@ -60,9 +60,9 @@ def test_a_third_unit_and_every_further_text_open_a_panel() -> None:
 
 def test_a_phase_portrait_has_columns_on_both_axes_and_marks_its_start_and_events() -> None:
     (panel,) = plot_of(trajectory(ANGLE, SPIN, events=bounces(float(T[50]))), xy=("theta", "der(theta)")).axes
-    assert (panel.get_xlabel(), panel.get_ylabel()) == ("theta [deg]", "der(theta)\n[deg/s]")
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("theta [deg]", "der(theta)\n[rad/s]")
     path, start, event = panel.lines
-    radius = (path.get_xdata() / np.rad2deg(1.0)) ** 2 + (path.get_ydata() / np.rad2deg(5.0)) ** 2
+    radius = (path.get_xdata() / np.rad2deg(1.0)) ** 2 + (path.get_ydata() / 5.0) ** 2
     assert np.abs(radius - 1.0).max() < 1e-12
     assert start.get_xdata() == [0.0]
     assert event.get_xdata() == pytest.approx(np.rad2deg(np.sin(5 * T[50])))

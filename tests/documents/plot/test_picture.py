@@ -14,11 +14,11 @@ from choice import chosen, repeats
 from PIL import Image
 
 from lagdsl.derivation.scene.forms import FORMS, form
-from lagdsl.derivation.scene.stage import Stage, stage_of
+from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.draw import draw, prepared
 from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.film import write_film, write_picture
-from lagdsl.documents.plot.picture.recording import record_motion, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import record_motion, staged
 from lagdsl.documents.plot.picture.shapes import parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
@@ -45,7 +45,7 @@ def flat_of(name: str) -> FlatModel:
 def stage(name: str) -> Stage:
     flat = flat_of(name)
     made = record_motion(flat, Wishes(), 41)
-    return stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
+    return staged(flat, made.scene, [made.motion])
 
 
 def pieces(own: Stage, row: int, name: str) -> list[Faces]:
@@ -190,3 +190,17 @@ def test_a_model_without_places_has_no_picture(tmp_path: Path) -> None:
         with pytest.raises(ValueError, match="nothing in VanDerPol has a place"):
             write(flat, Wishes(), tmp_path / name)  # type: ignore[operator]
         assert not (tmp_path / name).exists()
+
+
+def test_a_view_that_follows_holds_the_machine_at_every_row_and_nothing_of_its_way() -> None:
+    """Closed form: the middle of the picture is that of the coin, which rolls around a circle of thirteen radii."""
+    own = stage("rolling_coin")
+    whole, near = prepared(own), prepared(own, follow=True)
+    wide, narrow = (float(each.view.high[0] - each.view.low[0]) for each in (whole, near))
+    assert narrow < 0.3 * wide
+    for row in (0, 20, len(own.rows) - 1):
+        view = near.at(row).view
+        for part in parts_of(own, row, without=("ground", "rail")):
+            if isinstance(part, Faces):
+                places = view.seen(part.corners)[0]
+                assert np.all(places >= view.low) and np.all(places <= view.high)

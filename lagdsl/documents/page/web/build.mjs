@@ -3,18 +3,24 @@ import { createHash } from "node:crypto";
 import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
-// Shaders, and parts of them, for materials that no shape has: three.js cannot leave them out by itself.
-const parts = /\b(var|const) ((?:clearcoat|iridescence|transmission|metalnessmap|roughnessmap|gradientmap|cube_uv|lights_(?:physical|toon|phong))\w*) = "(?:[^"\\]|\\.)*"/g;
+// Parts of three.js for what no page has, which it cannot leave out by itself: shaders of other materials and of effects, which
+// are guarded by their own #if; shadows, headsets, surroundings, pictures from many sides, tracks of animations.
+const parts = /\b(var|const) ((?:alphahash|alphamap|aomap|batching|bumpmap|clearcoat|clipping|cube_uv|displacementmap|dithering|emissivemap|envmap|fog|gradientmap|iridescence|lightmap|lightprobes|lights_(?:physical|toon|phong)|logdepthbuf|map_particle|metalnessmap|morph|normalmap|packing|roughnessmap|shadowmap|skin|tonemapping|transmission)\w*) = "(?:[^"\\]|\\.)*"/g;
 const wholes = /\b(?:background|backgroundCube|cube|depth|distance|equirect|linedashed|mesh(?:matcap|normal|phong|physical|toon)|points|shadow)_(?:vert|frag): ([\w$]+)/g;
+const absent = ["render", "dispose", "addEventListener", "removeEventListener", "setAnimationLoop", "getEnvironmentBlendMode"].map((name) => `${name}() {}`);
 const without = (text) => {
   const unused = new Set([...text.matchAll(wholes)].map(([, name]) => name));
   const blank = (whole, name) => (unused.has(name) ? `const ${name} = ""` : whole);
-  return text.replace(parts, '$1 $2 = ""').replace(/\bconst ((?:vertex|fragment)\$\w+) = "(?:[^"\\]|\\.)*"/g, blank);
+  return text
+    .replace(parts, '$1 $2 = ""')
+    .replace(/\bconst ((?:vertex|fragment)\$\w+) = "(?:[^"\\]|\\.)*"/g, blank)
+    .replace(/^(?:class|function) (WebXR(?:Manager|DepthSensing)|PMREMGenerator|WebGLShadowMap)\b[^]*?^}/gm, `class $1 { enabled = false; isPresenting = false; ${absent.join(" ")} }`)
+    .replace(/^(?:\w*KeyframeTrack|PropertyBinding)\.[^]*?;$/gm, "");
 };
 const shaders = {
   name: "shaders",
   setup: ({ onLoad }) =>
-    onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({ contents: without(await readFile(path, "utf8")), loader: "js" })),
+    onLoad({ filter: /three\.(module|core)\.js$/ }, async ({ path }) => ({ contents: without(await readFile(path, "utf8")), loader: "js" })),
 };
 const common = { bundle: true, minify: true, target: "es2022", format: "iife", legalComments: "none", logLevel: "warning" };
 await mkdir("dist", { recursive: true });

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.documents.plot.figure import matplotlib_or_reason
-from lagdsl.documents.plot.picture.colors import GRID, INK, PAPER, lit
-from lagdsl.documents.plot.picture.faces import Faces, Painted, Ribbon, Words
+from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Ribbon, Words, lit
 from lagdsl.documents.plot.picture.gauges import gauges
 from lagdsl.documents.plot.picture.shapes import parts_of
-from lagdsl.documents.plot.picture.view import View, view_of
+from lagdsl.documents.plot.picture.view import View, steps_of, view_of
+from lagdsl.documents.plot.sheet import escaped, sheet
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -29,39 +29,43 @@ _GHOST = 0.25
 
 @record(kw_only=True)
 class Drawn:
-    """A picture that can be changed from row to row: all it knows of the motion."""
+    """A picture that can be changed from row to row: all it knows of the motion. `steps` (rows, 3) [m] are those of the
+    view, if it goes with the machine."""
 
     stage: Stage
     view: View
+    steps: Floats | None
     figure: Figure
     axes: Axes
 
+    def at(self, row: int) -> Drawn:
+        return self if self.steps is None else replace(self, view=self.view.beside(self.steps[row]), steps=None)
 
-def prepared(stage: Stage, title: str = "") -> Drawn:
-    """An empty picture for a stage. Raises ModuleNotFoundError without Matplotlib."""
-    _, figure_class, canvas_class = matplotlib_or_reason()
-    view = view_of(stage)
+
+def prepared(stage: Stage, title: str = "", *, follow: bool = False) -> Drawn:
+    """An empty picture; its view may `follow` the machine. Raises ModuleNotFoundError without Matplotlib."""
+    steps = steps_of(stage) if follow else None
+    view = view_of(stage, steps)
     width, height = view.high - view.low
-    figure = figure_class(figsize=(_INCHES, round(_INCHES * float(height / width), 2)), dpi=_DPI, facecolor=PAPER)
-    canvas_class(figure)
-    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set(xlim=(view.low[0], view.high[0]), ylim=(view.low[1], view.high[1]))
-    axes.set_axis_off()
-    if title:
-        figure.text(0.015, 0.98, title, va="top", fontsize=9, color=INK)
-    return Drawn(stage=stage, view=view, figure=figure, axes=axes)
+    size = (_INCHES, round(_INCHES * float(height / width), 2))
+    with sheet(size, layout=None, dpi=_DPI, facecolor=PAPER) as figure:
+        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        if title:
+            figure.text(0.015, 0.98, title, va="top", fontsize=9, color=INK)
+    return Drawn(stage=stage, view=view, steps=steps, figure=figure, axes=axes)
 
 
 def draw(picture: Drawn, row: int, ghosts: Sequence[int] = (), caption: str = "") -> None:
     """Show the machine at a row of its motion, and pale at others."""
-    axes = picture.axes
+    picture = picture.at(row)
+    axes, view, stage = picture.axes, picture.view, picture.stage
     axes.clear()
     axes.set_axis_off()
-    axes.set(xlim=(picture.view.low[0], picture.view.high[0]), ylim=(picture.view.low[1], picture.view.high[1]))
+    axes.set(xlim=(view.low[0], view.high[0]), ylim=(view.low[1], view.high[1]))
     _ruled(picture)
     for ghost in ghosts:
-        _paint(picture, parts_of(picture.stage, ghost), _GHOST)
-    _paint(picture, [*parts_of(picture.stage, row), *gauges(picture.stage, row)], 1.0)
+        _paint(picture, parts_of(stage, ghost), _GHOST)
+    _paint(picture, [*parts_of(stage, row), *gauges(stage, row)], 1.0)
     if caption:
         axes.text(0.985, 0.02, caption, transform=axes.transAxes, ha="right", va="bottom", fontsize=9, color=INK)
 
@@ -82,24 +86,18 @@ def _paint(picture: Drawn, parts: Sequence[Painted], opacity: float) -> None:
     """Parts from the back to the front, face by face."""
     from matplotlib.collections import PolyCollection
 
-    corners: list[Floats] = []
-    colors: list[Floats] = []
-    depths: list[Floats] = []
+    seen: list[tuple[Floats, Floats, Floats]] = []
     for part in parts:
         match part:
             case Faces():
-                seen = _faces(picture.view, part)
+                seen.append(_faces(picture.view, part))
             case Ribbon():
-                seen = _ribbon(picture.view, part)
+                seen.append(_ribbon(picture.view, part))
             case Words():
                 _write(picture, part, opacity)
-                continue
-        corners.append(seen[0])
-        colors.append(seen[1])
-        depths.append(seen[2])
-    if not corners:
+    if not seen:
         return
-    places, inks, depth = np.concatenate(corners), np.concatenate(colors), np.concatenate(depths)
+    places, inks, depth = (np.concatenate(each) for each in zip(*seen, strict=True))
     order = np.argsort(depth, kind="stable")
     # Seams between faces show in pale pictures where faces have edges, in full ones where they have none.
     edge = inks[order]
@@ -146,17 +144,9 @@ def _write(picture: Drawn, part: Words, opacity: float) -> None:
     """Text as text: `$` starts no formula."""
     place, _, scale = picture.view.seen(part.at)
     points = _INCHES * 72.0 / float(picture.view.high[0] - picture.view.low[0])
-    picture.axes.text(
-        float(place[0]),
-        float(place[1]),
-        part.text.replace("$", r"\$"),
-        fontsize=min(max(0.75 * part.size * float(scale) * points, 5.0), 14.0),
-        color=INK,
-        alpha=opacity,
-        ha="center",
-        va="center",
-        zorder=5,
-    )
+    size = min(max(0.75 * part.size * float(scale) * points, 5.0), 14.0)
+    style: dict[str, Any] = {"color": INK, "alpha": opacity, "ha": "center", "va": "center", "zorder": 5}
+    picture.axes.text(float(place[0]), float(place[1]), escaped(part.text), fontsize=size, **style)
 
 
 def _ruled(picture: Drawn) -> None:
@@ -166,17 +156,21 @@ def _ruled(picture: Drawn) -> None:
     stage, view = picture.stage, picture.view
     step = 10.0 ** np.floor(np.log10(stage.length / 2.0))
     if stage.scene.planar:
-        low, high = view.low + stage.center[:2], view.high + stage.center[:2]
+        center = view.center[:2]
+        low, high = view.low + center, view.high + center
         ticks = [np.arange(np.ceil(a / step), np.floor(b / step) + 1) * step for a, b in zip(low, high, strict=True)]
         lines = [[[x, low[1]], [x, high[1]]] for x in ticks[0]] + [[[low[0], y], [high[0], y]] for y in ticks[1]]
-        places = np.array(lines).reshape(-1, 2, 2) - stage.center[:2]
+        places = np.array(lines).reshape(-1, 2, 2) - center
     else:
         right, up, back = stage.axes
         lowest = min(float(up @ stage.low), float(up @ stage.high)) - float(up @ stage.center) - 0.02 * stage.length
-        middle, count = stage.center + lowest * up, int(np.ceil(1.5 * stage.length / step))
+        moved = (np.round((view.center - stage.center) @ axis / step) * step * axis for axis in (right, back))
+        middle, count = stage.center + lowest * up + sum(moved), int(np.ceil(1.5 * stage.length / step))
         ends, reached = np.arange(-count, count + 1) * step, count * step
-        lines = [[middle + s * right - reached * back, middle + s * right + reached * back] for s in ends]
-        lines += [[middle + s * back - reached * right, middle + s * back + reached * right] for s in ends]
+        lines = [
+            [middle + s * axis - reached * other, middle + s * axis + reached * other]
+            for axis, other in ((right, back), (back, right)) for s in ends
+        ]  # fmt: skip
         places = _clipped(view, np.array(lines))
     picture.axes.add_collection(LineCollection(list(places), colors=GRID, linewidths=0.7, zorder=0.5), autolim=False)
 

@@ -1,20 +1,33 @@
-"""Pieces that a picture is painted from: faces in space, ribbons along lines, words."""
+"""Pieces that a picture is painted from: faces in space, ribbons along lines, words; colors and light."""
 
 from __future__ import annotations
 
+import numpy as np
+
+from lagdsl.derivation.scene.shapes import Part
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
+
+Color = tuple[float, float, float]
+"""Red, green, blue, 0 to 1."""
+
+_OTHER = "#64748b"
+PAPER = "#f8fafc"
+GRID = "#dbe3ec"
+INK = "#475569"
+# Over the left shoulder of the viewer: right, up, back.
+_SUN = np.array([0.35, 0.6, 0.72]) / np.linalg.norm([0.35, 0.6, 0.72])
 
 
 @record(kw_only=True)
 class Faces:
-    """Quadrilaterals (n, 4, 3) [m], counterclockwise seen from outside, in one color (red, green, blue), 0 to 1.
+    """Quadrilaterals (n, 4, 3) [m], counterclockwise seen from outside, in one color.
 
     `opacity` 0 to 1. `closed`: nobody sees the inside. `flat`: a line or a mark, which has no light and shade.
     """
 
     corners: Floats
-    color: tuple[float, float, float]
+    color: Color
     opacity: float = 1.0
     closed: bool = True
     flat: bool = False
@@ -26,7 +39,7 @@ class Ribbon:
 
     points: Floats
     width: float
-    color: tuple[float, float, float]
+    color: Color
     opacity: float = 1.0
 
 
@@ -40,3 +53,18 @@ class Words:
 
 
 Painted = Faces | Ribbon | Words
+
+
+def color_of(part: Part) -> Color:
+    """The color of a part, where Matplotlib knows it."""
+    from matplotlib.colors import is_color_like, to_rgb
+
+    red, green, blue = to_rgb(part.color if is_color_like(part.color) else _OTHER)
+    return red * part.shade, green * part.shade, blue * part.shade
+
+
+def lit(color: Color, normals: Floats) -> Floats:
+    """Colors (n, 3) of faces whose unit normals (n, 3) are in the viewer's axes."""
+    bright = np.clip(normals @ _SUN, 0.0, 1.0)[:, None]
+    shade = np.array(color) * (0.62 + 0.43 * bright)
+    return np.asarray(np.clip(shade + 0.10 * bright**8, 0.0, 1.0))

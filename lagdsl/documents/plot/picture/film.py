@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.draw import Drawn, draw, prepared, save_picture
-from lagdsl.documents.plot.picture.recording import Recording, record_motion, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import Recording, record_motion, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
@@ -38,8 +37,10 @@ def write_picture(
     sink: Sink | None = None,
     *,
     pixels: int = 1280,
+    follow: bool = False,
 ) -> None:
-    """The machine as a picture, in the form of the suffix: .png, .svg, .pdf; `pixels` wide.
+    """The machine as a picture, in the form of the suffix: .png, .svg, .pdf; `pixels` wide; the view
+    may `follow` it.
 
     With one time at that time [s], else at the start; with several the last one in full and the others pale. Raises
     CompilationFailed where there is no motion, ValueError for a time that is not part of it or a model without a place
@@ -47,25 +48,29 @@ def write_picture(
     """
     made = record_motion(flat, wishes, _ROWS, sink)
     rows = _rows_at(made, times or [made.span[0]])
-    picture, stamps = _prepared(flat, made)
+    picture, stamps = _prepared(flat, made, follow=follow)
     last = float(stamps[rows[-1]])
     draw(picture, rows[-1], rows[:-1], caption=f"t = {last:.3g} s" if times else "")
     save_picture(picture, path, pixels)
 
 
-def write_film(flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | None = None) -> None:
-    """The machine as a GIF of at most 4 MB that plays again and again; raises as `write_picture`."""
-    t, end = _span(flat, wishes)
+def write_film(
+    flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | None = None, *, follow: bool = False
+) -> None:
+    """The machine as a GIF of at most 4 MB that plays again and again; `follow` and errors as of `write_picture`."""
+    t = flat.experiment.start_time
+    end = flat.experiment.stop_time if wishes.stop is None else wishes.stop
     seconds = min(max(end - t, _SHORTEST), _LONGEST)
     count = round(seconds * _RATE)
     made = record_motion(flat, wishes, count + 1, sink)
-    picture, times = _prepared(flat, made)
+    picture, times = _prepared(flat, made, follow=follow)
     picture.figure.set_dpi(_DOTS)
     frames, shown = [], np.linspace(t, end, count + 1)
-    shown = shown[shown <= times[-1] + 1e-9 * (end - t)]
-    speed = _speed((end - t) / seconds)
-    for time in shown:
-        draw(picture, _row_at(times, float(time)), caption=f"t = {_digits(time, end - t)} s{speed}")
+    digits = max(2 - math.floor(math.log10(end - t)), 0)  # so many that two frames differ
+    factor = (end - t) / seconds
+    speed = "" if abs(factor - 1.0) < 0.05 else f"  ({factor:.2g}× speed)"
+    for time in shown[shown <= times[-1] + 1e-9 * (end - t)].tolist():
+        draw(picture, _row_at(times, time), caption=f"t = {time:.{digits}f} s{speed}")
         frames.append(_pixels(picture))
     delay = 10 * round(100.0 / _RATE)
     for every in (1, 2, 4):
@@ -75,28 +80,11 @@ def write_film(flat: FlatModel, wishes: Wishes, path: Path | str, sink: Sink | N
     Path(path).write_bytes(data)
 
 
-def _span(flat: FlatModel, wishes: Wishes) -> tuple[float, float]:
-    return flat.experiment.start_time, flat.experiment.stop_time if wishes.stop is None else wishes.stop
-
-
-def _speed(factor: float) -> str:
-    """Speed of the film over that of time, in words."""
-    if abs(factor - 1.0) < 0.05:
-        return ""
-    return f"  ({factor:.2g}× speed)"
-
-
-def _digits(time: float, length: float) -> str:
-    """So many that two frames differ."""
-    return f"{time:.{max(2 - math.floor(math.log10(length)), 0)}f}"
-
-
-def _prepared(flat: FlatModel, made: Recording) -> tuple[Drawn, Floats]:
+def _prepared(flat: FlatModel, made: Recording, *, follow: bool) -> tuple[Drawn, Floats]:
     """An empty picture, and the times of its rows. Raises ValueError if the scene has nothing to draw."""
     if all(shape.kind == "frame" for shape in made.scene.shapes):
         raise ValueError(f"nothing in {flat.name} has a place to be drawn at: `--plot FILE.png` draws its curves")
-    stage = stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene))
-    return prepared(stage, flat.name), made.motion.time
+    return prepared(staged(flat, made.scene, [made.motion]), flat.name, follow=follow), made.motion.time
 
 
 def _rows_at(made: Recording, times: Sequence[float]) -> list[int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -10,15 +9,16 @@ import numpy as np
 
 from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.scene.living import START, Living, living
+from lagdsl.derivation.scene.machine import up_of
 from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.shapes import Scene
+from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.engines.runtime.engines.selection import engine_of
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.language.flat.listing import computed_outputs
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.pipeline import Compilation, compile_flat, compile_observed
@@ -122,25 +122,8 @@ def parameters_of(layout: Layout, wishes: Wishes) -> Floats:
     return p
 
 
-def rows_of_scene(scene: Scene, motions: Sequence[Trajectory]) -> Floats:
-    """The last columns of motions, one after the other."""
-    tables = [
-        np.array([column.values for column in each.columns[len(each.columns) - len(scene.columns) :]])
-        for each in motions
-    ]
-    return np.concatenate([table.reshape(-1, len(each)) for table, each in zip(tables, motions, strict=True)], axis=1).T
-
-
-def up_of(model: FlatModel, scene: Scene) -> list[float]:
-    """Against gravity at the start; y in planar pictures, z without gravity."""
-    if scene.planar:
-        return [0.0, 1.0, 0.0]
-    if model.gravity is not None:
-        try:
-            g = Evaluator(model, Values()).vector(model.gravity)
-        except NotEvaluable:
-            return [0.0, 0.0, 1.0]
-        size = math.sqrt(float(g @ g))
-        if math.isfinite(size) and size > 0.0:
-            return [float(-x / size) for x in g]
-    return [0.0, 0.0, 1.0]
+def staged(flat: FlatModel, scene: Scene, motions: Sequence[Trajectory]) -> Stage:
+    """The stage of a model for all that its motions show: their last columns are those of the scene."""
+    tables = [[column.values for column in each.columns[len(each.columns) - len(scene.columns) :]] for each in motions]
+    rows = np.concatenate([np.array(table).reshape(len(scene.columns), -1) for table in tables], axis=1).T
+    return stage_of(scene, rows, up_of(flat, planar=scene.planar))

@@ -10,8 +10,7 @@ from lagdsl.derivation.scene.forms import form
 from lagdsl.derivation.scene.posed import HEAD, NECK, SHAFT, Posed, axes_along, matrix_of, placed
 from lagdsl.derivation.scene.shapes import Shape, ShapeKind
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.documents.plot.picture.colors import Color, color_of
-from lagdsl.documents.plot.picture.faces import Faces, Painted, Ribbon, Words
+from lagdsl.documents.plot.picture.faces import Color, Faces, Painted, Ribbon, Words, color_of
 from lagdsl.foundation.meshes.triangles import thinned
 from lagdsl.foundation.numerics.rank import Floats
 

@@ -1,10 +1,13 @@
-"""From space to the picture: planar machines square on, spatial ones in perspective, always whole."""
+"""From space to the picture: planar machines square on, spatial ones in perspective, always
+whole. The view may go with a machine that drives away, as on the living page."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from lagdsl.derivation.scene.stage import TILT, Stage
+from lagdsl.derivation.scene.stage import Stage, places_of
 from lagdsl.documents.plot.picture.faces import Faces, Ribbon
 from lagdsl.documents.plot.picture.gauges import reach
 from lagdsl.documents.plot.picture.shapes import parts_of
@@ -39,38 +42,44 @@ class View:
         scale = away / np.maximum(away - own[..., 2], 0.05 * away)
         return own[..., :2] * scale[..., None], own[..., 2], scale
 
+    def beside(self, step: Floats) -> View:
+        """The same view from a place that is `step` (3,) [m] further."""
+        return replace(self, center=self.center + step, eye=None if self.eye is None else self.eye + step)
 
-def view_of(stage: Stage) -> View:
-    """The picture that holds the whole motion."""
-    right, up, back = stage.axes
-    every = np.concatenate([_solid(stage), reach(stage)])
+
+def steps_of(stage: Stage) -> Floats:
+    """Steps (rows, 3) [m] from the middle of the whole way to the machine."""
+    places = [places_of(stage.scene, row[None, :]) for row in stage.rows]
+    return np.array([(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in places]) - stage.center
+
+
+def view_of(stage: Stage, steps: Floats | None = None) -> View:
+    """The picture that holds the whole motion, or with `steps` (rows, 3) [m] that of a machine that it goes with."""
+    every = np.concatenate([_solid(stage, steps), reach(stage)])
     if not len(every):
         every = stage.points
-    if stage.scene.planar:
-        turn, eye = np.array([right, up, back]), None
-    else:
-        towards = back + TILT * up
-        towards /= np.linalg.norm(towards)
-        turn = np.array([right, np.cross(towards, right), towards])
-        far = max(float(np.linalg.norm(stage.high - stage.low)), 0.5 * stage.length) * 1.75
-        eye = stage.center + far * towards
+    turn, eye = stage.turn, None
+    if not stage.scene.planar:
+        size = float(np.linalg.norm(np.ptp(every, axis=0) if steps is not None else stage.high - stage.low))
+        eye = stage.center + 1.75 * max(size, 0.5 * stage.length if steps is None else 0.0) * turn[2]
     whole = View(turn=turn, eye=eye, center=stage.center, low=np.zeros(2), high=np.zeros(2))
     places = whole.seen(every)[0]
-    margin = _MARGIN * stage.length
+    margin = _MARGIN * (stage.length if steps is None else float(np.linalg.norm(np.ptp(every, axis=0))))
     low, high = places.min(axis=0) - margin, places.max(axis=0) + margin
     return View(turn=turn, eye=eye, center=stage.center, **_widened(low, high))
 
 
-def _solid(stage: Stage) -> Floats:
+def _solid(stage: Stage, steps: Floats | None) -> Floats:
     """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture."""
-    rows = np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int))
-    parts = [part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "rail", "trace"))]
-    found = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
-    found += [part.points for part in parts if isinstance(part, Ribbon)]
-    placed = any(
-        role in ("at", "to") for shape in stage.scene.shapes for role, _ in shape.numbers if shape.kind != "frame"
-    )
-    return np.concatenate([*found, stage.points] if placed else [np.zeros((0, 3))])
+    found = [np.zeros((0, 3))]
+    for row in np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int)).tolist():
+        parts = parts_of(stage, row, without=("ground", "rail", "trace"))
+        own = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
+        own += [part.points for part in parts if isinstance(part, Ribbon)]
+        found += own if steps is None else [points - steps[row] for points in own]
+    shapes = (shape for shape in stage.scene.shapes if shape.kind != "frame")
+    placed = any(role in ("at", "to") for shape in shapes for role, _ in shape.numbers)
+    return np.concatenate([*found, stage.points] if placed and steps is None else found)
 
 
 def _widened(low: Floats, high: Floats) -> dict[str, Floats]:

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from lagdsl.derivation.scene.living import scene_of
-from lagdsl.derivation.scene.machine import gravity_of
+from lagdsl.derivation.scene.machine import gravity_of, up_of
 from lagdsl.derivation.scene.posed import Posed
-from lagdsl.derivation.scene.shapes import Scene
 from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
@@ -70,9 +69,10 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     if not places or not any(_moved(found, item.name) for item in flat.coordinates):
         return None
     scene = scene_of(flat)
-    sheet = _Sheet(_projection(flat, scene.planar))
-    row = np.array([[value if (value := found.scalar(each)) is not None else np.nan for each in scene.columns]])
-    _parts(sheet, scene, stage_of(scene, row, _up(flat).tolist()))
+    row = np.array([[found.scalar(each) for each in scene.columns]])
+    stage = stage_of(scene, row, up_of(flat, planar=scene.planar))
+    sheet = _Sheet(lambda point: np.asarray(stage.turn[:2] @ point))
+    _parts(sheet, stage)
     _masses(sheet, found)
     shown = [point for points, _ in sheet.strokes for point in points] + [place for place, _, _ in sheet.balls]
     spread = np.ptp(np.array(shown), axis=0)
@@ -88,29 +88,8 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     return _placed(sheet, f"{flat.name} where its motion starts")
 
 
-def _projection(flat: fm.FlatModel, planar: bool) -> Callable[[Floats], Floats]:
-    """The plane itself, or a parallel view from above and aside with the vertical upward."""
-    if planar:
-        return lambda point: point[:2]
-    up = _up(flat)
-    first = np.eye(3)[0] if abs(up[0]) < 0.9 else np.eye(3)[1]
-    first = first - (first @ up) * up
-    first /= np.linalg.norm(first)
-    towards = 0.5 * first + 0.4 * up + 0.77 * np.cross(first, up)
-    towards /= np.linalg.norm(towards)
-    right = np.cross(up, towards)
-    right /= np.linalg.norm(right)
-    turn = np.array([right, np.cross(towards, right)])
-    return lambda point: np.asarray(turn @ point)
-
-
-def _up(flat: fm.FlatModel) -> Floats:
-    down = gravity_of(flat)
-    return np.array([0.0, 0.0, 1.0]) if down is None else -down
-
-
-def _parts(sheet: _Sheet, scene: Scene, stage: Stage) -> None:
-    for shape in scene.shapes:
+def _parts(sheet: _Sheet, stage: Stage) -> None:
+    for shape in stage.scene.shapes:
         if shape.kind in _OWN_MARKS:
             continue
         for part in shape.parts:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lagdsl.derivation.scene.drawings import mass_centre
+from lagdsl.derivation.scene.machine import number, vector_or_none
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
@@ -27,19 +29,14 @@ class Pose:
 
     def vector(self, expression: fx.FlatExpression, moved: Mapping[str, float] | None = None) -> Floats | None:
         """Components [SI]; None where there is no finite value."""
-        try:
-            found = Evaluator(self.flat, Values(variables={**self.values, **(moved or {})})).vector(expression)
-        except NotEvaluable:
-            return None
-        return found if bool(np.all(np.isfinite(found))) else None
+        return vector_or_none(self._at(moved or {}), expression)
 
-    def scalar(self, expression: fx.FlatExpression) -> float | None:
-        """In SI units; None where there is no finite value."""
-        try:
-            found = Evaluator(self.flat, Values(variables=self.values)).scalar(expression)
-        except NotEvaluable:
-            return None
-        return found if bool(np.isfinite(found)) else None
+    def scalar(self, expression: fx.FlatExpression) -> float:
+        """In SI units; nan where there is no value."""
+        return number(self._at({}), expression)
+
+    def _at(self, moved: Mapping[str, float]) -> Evaluator:
+        return Evaluator(self.flat, Values(variables={**self.values, **moved}))
 
     def along(self, expression: fx.FlatExpression, coordinate: str, by: float) -> Floats | None:
         """Place with one coordinate changed `by` so much, the others held."""
@@ -68,8 +65,7 @@ def pose(flat: FlatModel, compilation: Compilation | None = None) -> Pose | None
         values |= found
     if not all(np.isfinite(value) for value in values.values()):
         return None
-    bodies = tuple(_mass_center(body.frame, body.com) for body in flat.bodies)
-    return Pose(flat, values, (*(mass.position for mass in flat.masses), *bodies))
+    return Pose(flat, values, (*(mass.position for mass in flat.masses), *map(mass_centre, flat.bodies)))
 
 
 def _consistent(flat: FlatModel, compilation: Compilation | None) -> dict[str, float] | None:
@@ -84,10 +80,3 @@ def _consistent(flat: FlatModel, compilation: Compilation | None) -> dict[str, f
     except CompilationFailed:
         return None
     return dict(zip((item.name for item in made.flat.coordinates), start.q.tolist(), strict=True))
-
-
-def _mass_center(frame: str, com: tuple[fx.FlatExpression, ...]) -> fx.FlatExpression:
-    place: fx.FlatExpression = fx.FrameOrigin(frame)
-    for axis, part in enumerate(com):
-        place = fx.Binary("+", place, fx.Binary("*", part, fx.FrameAxis(frame, axis)))
-    return place

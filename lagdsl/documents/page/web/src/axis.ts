@@ -4,8 +4,33 @@ import { ticks } from "./numbers.ts";
 
 export const INKS = ["#2563eb", "#dc2626", "#16a34a", "#d97706", "#7c3aed", "#0891b2", "#db2777", "#65a30d"];
 
-/** Pixels of a chart whose panel is hidden: on paper it is seen so. */
-export const WIDE = 600;
+const WIDE = 600; // [pixels] of a chart whose panel is hidden: on paper it is seen so
+const NARROW = 240;
+
+export function sizeIn(board: HTMLElement, height: number): { width: number; height: number } {
+  return { width: Math.max(board.clientWidth || WIDE, NARROW), height };
+}
+
+/** Draws inside of a chart, in its own pixels: what is set for the pen holds as long. */
+export function inside(plot: uPlot, draw: (pen: CanvasRenderingContext2D) => void): void {
+  const { ctx: pen, bbox } = plot;
+  pen.save();
+  pen.beginPath();
+  pen.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  pen.clip();
+  draw(pen);
+  pen.restore();
+}
+
+export function curve(plot: uPlot, x: ArrayLike<number>, y: ArrayLike<number>, ink: string, width: number): void {
+  inside(plot, (pen) => {
+    pen.beginPath();
+    for (let i = 0; i < x.length; ++i) pen.lineTo(plot.valToPos(x[i], "x", true), plot.valToPos(y[i], "y", true));
+    pen.strokeStyle = ink;
+    pen.lineWidth = width * window.devicePixelRatio;
+    pen.stroke();
+  });
+}
 
 export function axis(label: string): uPlot.Axis {
   const style = getComputedStyle(document.documentElement);

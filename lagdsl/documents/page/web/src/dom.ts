@@ -11,6 +11,14 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** A choice of one of some words by its number; what is chosen at first is told nobody. */
+export function choice(ariaLabel: string, words: readonly string[], chosen: number, act: (number: number) => void): HTMLSelectElement {
+  const options = words.map((text, i) => new Option(text, `${i}`, i === chosen, i === chosen));
+  const made = make("select", { ariaLabel }, ...options);
+  made.onchange = () => act(made.selectedIndex);
+  return made;
+}
+
 export function place(id: string): HTMLElement {
   const found = document.getElementById(id);
   if (found === null) throw new Error(`the page has no #${id}`);

@@ -1,33 +1,50 @@
-// What can be saved from the page: a picture, a table, a film.
+// What can be saved from the page: a table, films.
+import { make } from "./dom.ts";
+import { gif } from "./gif.ts";
 import type { Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
-export function save(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
+const FRAMES = 72;
+const FRAME_WIDTH = 480;
+const TOLD = 8; // frames until the page shows how far a film is
+
+export function save(blob: Blob, download: string): void {
+  const link = make("a", { href: URL.createObjectURL(blob), download });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-export function picture(canvas: HTMLCanvasElement, head: Head): void {
-  canvas.toBlob((blob) => blob !== null && save(blob, `${head.name}.png`), "image/png");
-}
-
-export function table(motion: Motion, head: Head): void {
+export function table(motion: Motion, head: Head): Blob {
   const columns = head.columns.slice(0, head.scene.first);
   const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const lines = [columns.map((column) => quoted(column.name)).join(",")];
   for (let row = 0; row < motion.count; ++row) lines.push(columns.map((_, i) => motion.at(row, i)).join(","));
-  save(new Blob([`${lines.join("\n")}\n`], { type: "text/csv" }), `${head.name}.csv`);
+  return new Blob([`${lines.join("\n")}\n`], { type: "text/csv" });
 }
 
-/** Records the canvas while it plays; the returned function ends that. */
-export function film(canvas: HTMLCanvasElement, head: Head): () => void {
+/** Records the canvas while it plays; the returned function ends that, and `made` is told the film. */
+export function film(canvas: HTMLCanvasElement, made: (blob: Blob) => void): () => void {
   const parts: Blob[] = [];
   const recorder = new MediaRecorder(canvas.captureStream(60), { mimeType: "video/webm" });
   recorder.ondataavailable = (event) => parts.push(event.data);
-  recorder.onstop = () => save(new Blob(parts, { type: "video/webm" }), `${head.name}.webm`);
+  recorder.onstop = () => made(new Blob(parts, { type: "video/webm" }));
   recorder.start();
   return () => recorder.stop();
+}
+
+/** A GIF of so many seconds; `pose` draws the canvas at a part of the motion. */
+export async function framed(canvas: HTMLCanvasElement, seconds: number, pose: (part: number) => void): Promise<Blob> {
+  const width = Math.min(FRAME_WIDTH, canvas.width);
+  const height = Math.round((width * canvas.height) / canvas.width);
+  const pen = make("canvas", { width, height }).getContext("2d", { willReadFrequently: true });
+  if (pen === null) throw new Error("there is no canvas to draw a film on");
+  pen.imageSmoothingQuality = "high";
+  const frames: ImageData[] = [];
+  for (let k = 0; k < FRAMES; ++k) {
+    pose(k / (FRAMES - 1));
+    pen.drawImage(canvas, 0, 0, width, height);
+    frames.push(pen.getImageData(0, 0, width, height));
+    if (k % TOLD === 0) await new Promise((resolve) => setTimeout(resolve));
+  }
+  return gif(frames, (1000 * seconds) / FRAMES);
 }

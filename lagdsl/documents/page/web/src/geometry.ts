@@ -6,21 +6,15 @@ const ROUND = 6; // corners of a tube
 /** Unit axes: z along a way, x as near as may be to a direction, else across the vertical z (y where z is that). */
 export function axesAlong(way: Vector3, about: Vector3 | null): [Vector3, Vector3, Vector3] {
   const z = way.lengthSq() > 0 ? way.clone().normalize() : new Vector3(0, 0, 1);
-  const across = (): Vector3 => new Vector3(0, 0, 1).setComponent(2, Math.abs(z.z) > 0.9 ? 0 : 1).setComponent(1, Math.abs(z.z) > 0.9 ? 1 : 0).cross(z);
-  let x = about === null ? across() : about.clone().addScaledVector(z, -about.dot(z));
-  if (x.length() < 1e-6) x = across();
+  const x = about === null ? new Vector3() : about.clone().addScaledVector(z, -about.dot(z));
+  if (x.length() < 1e-6) x.set(0, Number(Math.abs(z.z) > 0.9), Number(Math.abs(z.z) <= 0.9)).cross(z);
   x.normalize();
   return [x, new Vector3().crossVectors(z, x), z];
 }
 
 /** The transformation that lays a unit form along axes, stretched. */
 export function lay([x, y, z]: [Vector3, Vector3, Vector3], sizes: [number, number, number], at: Vector3): Matrix4 {
-  const made = new Matrix4().makeBasis(
-    x.clone().multiplyScalar(sizes[0]),
-    y.clone().multiplyScalar(sizes[1]),
-    z.clone().multiplyScalar(sizes[2]),
-  );
-  return made.setPosition(at);
+  return new Matrix4().makeBasis(x, y, z).scale(new Vector3(...sizes)).setPosition(at);
 }
 
 /** Bends a geometry to a tube along points; its cross section does not twist. */

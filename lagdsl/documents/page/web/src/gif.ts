@@ -1,26 +1,9 @@
 // Films as GIF (CompuServe, version 89a), with the 256 colors that the frames have most.
 
-class Bytes {
-  private readonly list: number[] = [];
-
-  put(...bytes: number[]): void {
-    for (const byte of bytes) this.list.push(byte);
-  }
-
-  word(value: number): void {
-    this.put(value & 255, value >> 8);
-  }
-
-  text(words: string): void {
-    for (const character of words) this.put(character.charCodeAt(0));
-  }
-
-  get all(): Uint8Array<ArrayBuffer> {
-    return Uint8Array.from(this.list);
-  }
-}
-
 const LEVELS = 5; // bits of a color that tell it from another one
+
+const word = (value: number): number[] => [value & 255, value >> 8];
+const text = (words: string): number[] => [...words].map((character) => character.charCodeAt(0));
 
 function codeOf(data: Uint8ClampedArray, at: number): number {
   return ((data[at] >> 3) << 10) | ((data[at + 1] >> 3) << 5) | (data[at + 2] >> 3);
@@ -42,27 +25,16 @@ function palette(frames: ImageData[]): { colors: number[][]; places: Uint8Array 
   return { colors, places };
 }
 
-/** T. A. Welch's compression with codes of 9 to 12 bits, in blocks of at most 255 bytes. */
-function compressed(pixels: Uint8Array, out: Bytes): void {
+/** T. A. Welch's compression with codes of 9 to 12 bits, in blocks of at most 255 bytes, after the size of a pixel. */
+function compressed(pixels: Uint8Array): number[] {
   const [clear, end] = [256, 257];
   let table = new Map<number, number>();
   let [next, width, held, bits] = [258, 9, 0, 0];
-  let block: number[] = [];
-  const flush = (): void => {
-    if (block.length > 0) out.put(block.length, ...block);
-    block = [];
-  };
+  const packed: number[] = [];
   const code = (value: number): void => {
     held |= value << bits;
-    bits += width;
-    while (bits >= 8) {
-      block.push(held & 255);
-      held >>= 8;
-      bits -= 8;
-      if (block.length === 255) flush();
-    }
+    for (bits += width; bits >= 8; bits -= 8, held >>= 8) packed.push(held & 255);
   };
-  out.put(8);
   code(clear);
   let prefix = pixels[0];
   for (let i = 1; i < pixels.length; ++i) {
@@ -86,35 +58,22 @@ function compressed(pixels: Uint8Array, out: Bytes): void {
   code(prefix);
   if (next === 1 << width && width < 12) ++width;
   code(end);
-  if (bits > 0) block.push(held & 255);
-  flush();
-  out.put(0);
+  if (bits > 0) packed.push(held & 255);
+  const blocks = Array.from({ length: Math.ceil(packed.length / 255) }, (_, k) => packed.slice(255 * k, 255 * (k + 1)));
+  return [8, ...blocks.flatMap((block) => [block.length, ...block]), 0];
 }
 
 /** `frames` are pictures of one size; `delay` [ms] between them. They play again and again. */
 export function gif(frames: ImageData[], delay: number): Blob {
-  const out = new Bytes();
   const { width, height } = frames[0];
-  out.text("GIF89a");
-  out.word(width);
-  out.word(height);
-  out.put(0xf7, 0, 0);
+  const size = [...word(width), ...word(height)];
   const { colors, places } = palette(frames);
-  for (let k = 0; k < 256; ++k) out.put(...(colors[k] ?? [0, 0, 0]));
-  out.put(0x21, 0xff, 11);
-  out.text("NETSCAPE2.0");
-  out.put(3, 1, 0, 0, 0);
-  for (const { data } of frames) {
-    out.put(0x21, 0xf9, 4, 0);
-    out.word(Math.round(delay / 10));
-    out.put(0, 0, 0x2c, 0, 0, 0, 0);
-    out.word(width);
-    out.word(height);
-    out.put(0);
-    const pixels = new Uint8Array(width * height);
-    for (let i = 0; i < pixels.length; ++i) pixels[i] = places[codeOf(data, 4 * i)];
-    compressed(pixels, out);
-  }
-  out.put(0x3b);
-  return new Blob([out.all], { type: "image/gif" });
+  const table = Array.from({ length: 256 }, (_, k) => colors[k] ?? [0, 0, 0]).flat();
+  const head = [...text("GIF89a"), ...size, 0xf7, 0, 0, ...table, 0x21, 0xff, 11, ...text("NETSCAPE2.0"), 3, 1, 0, 0, 0];
+  const pictures = frames.map(({ data }) => {
+    const pixels = Uint8Array.from({ length: width * height }, (_, i) => places[codeOf(data, 4 * i)]);
+    const own = [0x21, 0xf9, 4, 0, ...word(Math.round(delay / 10)), 0, 0, 0x2c, 0, 0, 0, 0, ...size, 0];
+    return Uint8Array.from(own.concat(compressed(pixels)));
+  });
+  return new Blob([Uint8Array.from(head), ...pictures, Uint8Array.of(0x3b)], { type: "image/gif" });
 }

@@ -1,11 +1,8 @@
-// What a page is told: the JSON of lagdsl/page/head.py, and the arrays that come with it.
+// What a page is told: the JSON of lagdsl/documents/page/head.py, and the arrays that come with it.
 import { bytesOf, inflate } from "./packed.ts";
 
-export interface Display {
-  unit: string;
-  scale: number; // shown = si * scale + shift
-  shift: number;
-}
+/** shown = si * scale + shift */
+export type Display = { unit: string; scale: number; shift: number };
 
 export interface Column {
   name: string;
@@ -27,10 +24,8 @@ export interface Quantity {
   angle: boolean;
 }
 
-export interface Span {
-  first: [number, number]; // line and column, from 1
-  last: [number, number];
-}
+/** Lines and columns, from 1. */
+export type Span = { first: [number, number]; last: [number, number] };
 
 export interface Shape {
   kind: string;
@@ -109,11 +104,7 @@ export interface Head {
   locus?: Locus | null;
 }
 
-export interface Occurrence {
-  time: number;
-  name: string;
-  kind: string;
-}
+export type Occurrence = { time: number; name: string; kind: string };
 
 export interface Run {
   label: string;
@@ -142,17 +133,11 @@ export interface Locus {
   thresholds: { value: number; kind: string; frequency: number; unstable_above: boolean }[];
 }
 
-function text(id: string): string {
-  return document.getElementById(id)?.textContent ?? "";
-}
+const text = (id: string): string => document.getElementById(id)?.textContent ?? "";
 
-export function readHead(): Head {
-  return JSON.parse(text("head")) as Head;
-}
+export const readHead = (): Head => JSON.parse(text("head")) as Head;
 
-export function inflated(id: string): Promise<Uint8Array<ArrayBuffer>> {
-  return inflate(text(id));
-}
+export const inflated = (id: string): Promise<Uint8Array<ArrayBuffer>> => inflate(text(id));
 
 /** The font of formulas: with many others brackets do not stretch. */
 export async function loadFont(): Promise<void> {

@@ -5,16 +5,11 @@ import type { Answer, Order, Setup } from "./orders.ts";
 
 export type Outcome = Omit<Answer, "rows"> & { motion: Motion };
 
-/** A session that is not that of the machine: another tape; quantities that its end is differentiated by. */
-export interface Wishes {
-  tape?: string;
-  by?: number[];
-}
+const LONGEST = 3000; // [ms] of integration that somebody waits for
 
 export class Live {
-  private busy = false;
-  private waiting: Omit<Order, "number"> | null = null;
-  private number = 0;
+  busy = false;
+  private waiting: Order | null = null;
 
   private constructor(
     private readonly worker: Worker,
@@ -24,32 +19,25 @@ export class Live {
     worker.onmessage = (event: MessageEvent<Answer>) => this.arrived(event.data);
   }
 
-  /** Null where the browser cannot: the recorded motion stays. */
+  /** Null where the browser cannot: the recorded motion stays. `tape`: of what, `by`: quantities that its end is
+   * differentiated by, `longest`: how long it may take [ms]. */
   static async begin(
     head: Head,
     rows: number,
     told: (outcome: Outcome) => void,
-    { tape = "tape", by = [] }: Wishes = {},
+    { tape = "tape", by = [] as number[], longest = LONGEST } = {},
   ): Promise<Live | null> {
     if (head.live === false || typeof WebAssembly === "undefined" || typeof Worker === "undefined") return null;
     try {
       const code = new Blob([await inflated("worker")], { type: "text/javascript" });
       const worker = new Worker(URL.createObjectURL(code));
-      const setup: Setup = {
-        wasm: (await inflated("wasm")).buffer,
-        tape: (await inflated(tape)).buffer,
-        start: head.start,
-        stop: head.stop,
-        rows,
-        tolerance: head.tolerance,
-        lasting: head.lasting,
-        by,
-        entries: head.blamed.entries.length,
-      };
+      const { start, stop, tolerance, lasting, blamed: { entries: { length: entries } } } = head;
+      const [wasm, own] = [(await inflated("wasm")).buffer, (await inflated(tape)).buffer];
+      const setup: Setup = { wasm, tape: own, start, stop, rows, tolerance, lasting, by, longest, entries };
       const width = await new Promise<number>((resolve, reject) => {
         worker.onmessage = (event: MessageEvent<{ ready: number }>) => resolve(event.data.ready);
         worker.onerror = (event) => reject(new Error(event.message));
-        worker.postMessage(setup, [setup.wasm, setup.tape]);
+        worker.postMessage(setup, [wasm, own]);
       });
       return new Live(worker, width, told);
     } catch {
@@ -62,17 +50,19 @@ export class Live {
     if (!this.busy) this.next();
   }
 
+  end(): void {
+    this.worker.terminate();
+  }
+
   private next(): void {
-    if (this.waiting === null) return;
-    this.worker.postMessage({ number: ++this.number, ...this.waiting });
+    this.busy = this.waiting !== null;
+    if (this.busy) this.worker.postMessage(this.waiting);
     this.waiting = null;
-    this.busy = true;
   }
 
   private arrived(answer: Answer): void {
     this.busy = false;
     this.told({ ...answer, motion: new Motion(this.width, answer.rows) });
-    this.next();
+    if (!this.busy) this.next();
   }
 }
-

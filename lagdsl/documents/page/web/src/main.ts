@@ -1,8 +1,7 @@
 // The living page: reads what it was told, shows it, and integrates anew when a slider moves.
 import { Curves } from "./curves.ts";
-import { film, picture, save, table } from "./files.ts";
-import { gif } from "./gif.ts";
-import { make, place } from "./dom.ts";
+import { choice, make, place } from "./dom.ts";
+import { film, framed, save, table } from "./files.ts";
 import { grab } from "./grab.ts";
 import { inflated, loadFont, readHead, why, type Occurrence, type Head, type Shape, type Span } from "./head.ts";
 import { Influence } from "./influence.ts";
@@ -12,19 +11,17 @@ import { geometryOf } from "./meshes.ts";
 import { recorded, together, type Motion } from "./motion.ts";
 import { SWITCHES } from "./overlay.ts";
 import { Player } from "./player.ts";
-import { Runs } from "./runs.ts";
+import { runs } from "./runs.ts";
 import { shown, Sliders } from "./sliders.ts";
 import { Source } from "./source.ts";
 import { Stage } from "./stage.ts";
 import { tabs } from "./tabs.ts";
 import { overlap, Terms } from "./terms.ts";
-import { buttons, menu, type Buttons } from "./toolbar.ts";
+import { buttons, menu } from "./toolbar.ts";
 import { INTERRUPTED, type Pull } from "./orders.ts";
 
 const ROWS = 601;
 const GHOSTS = 5;
-const FRAMES = 72;
-const FRAME_WIDTH = 480;
 const LONGEST_WAIT = 500; // [ms] for the first picture
 const KEYS =
   "Keys: space play and pause, arrows step, Home and End, + and - speed, g ghosts, v velocities, f the whole machine, k keep this motion, p present";
@@ -43,12 +40,10 @@ class Page {
   private live: Live | null = null;
   private ghosts = false;
   private kept: Motion | null = null; // to compare with
-  private events: Occurrence[];
   private arrows: Promise<Live | null> | null = null; // the motion behind arrows, once one asked for it
   private endFilm: (() => void) | null = null;
-  private readonly comparing = make("select");
-  private ghostly: HTMLButtonElement | null = null;
-  private speedy: HTMLButtonElement | null = null; // the switch of velocities
+  private readonly comparing = choice("Keep this motion (key k), and see it with the next ones", COMPARED, 0, (way) => this.compare(way));
+  private readonly switched = new Map<string, HTMLButtonElement>(); // by the words of buttons
 
   constructor(
     private readonly head: Head,
@@ -57,7 +52,6 @@ class Page {
   ) {
     const [motion] = motions;
     this.motion = motion;
-    this.events = head.events;
     this.numbers = new Float64Array(motion.width);
     this.player = new Player(head, place("player"), (time) => this.pose(time));
     this.sliders = new Sliders(head, together(motions), place("sliders"), () => this.again());
@@ -89,7 +83,7 @@ class Page {
     this.tell();
     window.addEventListener("beforeprint", () => this.tell());
     if (head.modes !== undefined) place("sliders-tab").textContent = "Modes";
-    new Runs(head, place("sliders"), (run) => this.choose(run));
+    runs(head, place("sliders"), (run) => this.choose(run));
     if (motions.length > 1 && head.modes === undefined) this.curves.behind(motions);
   }
 
@@ -99,8 +93,8 @@ class Page {
       part.toggleAttribute("inert", this.live === null);
       part.hidden = this.head.live === false;
     }
-    if (this.live === null && this.head.live !== false) this.say("This browser shows the recorded motion only: sliders need WebAssembly.");
     if (this.live !== null) this.influence.rest(this.sliders.parameters, this.sliders.inputs);
+    else if (this.head.live !== false) this.say("This browser shows the recorded motion only: sliders need WebAssembly.");
     document.documentElement.dataset.ready = this.live === null ? "recorded" : "live";
     if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.play();
   }
@@ -109,24 +103,28 @@ class Page {
   private choose(number: number): void {
     const run = this.head.runs?.[number];
     if (run === undefined) return;
-    this.motion = this.motions[number];
-    this.events = run.events;
     this.player.over(run.start, run.stop, run.pace);
-    this.player.mark(run.events);
-    this.curves.show(this.motion, run.events);
-    if (run.parameters !== null) this.sliders.take(run.parameters);
+    this.show(this.motions[number], run.events, run.parameters);
     this.say(run.said === "" ? run.label : `${run.label}: ${run.said}`);
-    this.stage.follow(this.motion);
-    this.haunt();
-    this.pose(this.player.time);
     if (run.parameters !== null && run.said === "") this.again();
   }
 
+  private show(motion: Motion, events: Occurrence[], parameters: ArrayLike<number> | null): void {
+    this.motion = motion;
+    this.player.mark(events);
+    this.curves.show(motion, events);
+    if (parameters !== null) this.sliders.take(parameters);
+    this.stage.follow(motion);
+    this.haunt();
+  }
+
+  /** Pale postures, where somebody wants them. */
   private haunt(): void {
     const { last } = this.motion;
     const first = this.motion.count > 0 ? this.motion.at(0, 0) : 0;
     const times = Array.from({ length: GHOSTS }, (_, k) => first + ((last - first) * k) / (GHOSTS - 1));
     this.stage.postures(this.motion, this.ghosts ? times : []);
+    this.pose(this.player.time);
   }
 
   private pose(time: number): void {
@@ -235,20 +233,12 @@ class Page {
   private arrived({ motion, status, time, took, parameters, events, blamed }: Outcome): void {
     const failed = motion.count === 0;
     document.documentElement.toggleAttribute("data-failed", failed);
+    const named = events.map(([at, what, which]) => {
+      const { kind, names } = this.head.event_names[what];
+      return { time: at, kind, name: names[which] ?? "" };
+    });
     if (failed) this.player.pause();
-    else {
-      this.motion = motion;
-      this.events = events.map(([at, what, which]) => {
-        const { kind, names } = this.head.event_names[what];
-        return { time: at, kind, name: names[which] ?? "" };
-      });
-      this.sliders.take(parameters);
-      this.curves.show(motion, this.events);
-      this.player.mark(this.events);
-      this.stage.follow(motion);
-      this.haunt();
-      this.pose(this.player.time);
-    }
+    else this.show(motion, named, parameters);
     document.documentElement.dataset.took = took.toFixed(2);
     if (status === 0) this.say(`Integrated anew in ${took.toFixed(1)} ms.`);
     else if (status === INTERRUPTED) this.say(`This motion takes long; it is shown up to ${time.toPrecision(4)} s.`);
@@ -271,112 +261,85 @@ class Page {
   }
 
   private tools(): void {
+    const { scene: { shapes } } = this.head;
+    const { shown } = this.stage;
+    const drawn = (...kinds: string[]): boolean => shapes.some(({ kind }) => kinds.includes(kind));
     const button = buttons(place("tools"));
-    const layer = (name: "forces" | "frames", title: string): void => {
-      const made = button(name, title, () => {
-        this.stage.shown[name] = !this.stage.shown[name];
-        made.ariaPressed = `${this.stage.shown[name]}`;
-        this.stage.show();
+    /** A button that is pressed as long as what it switches is on. */
+    const toggle = (words: string, title: string, on: boolean, act: (on: boolean) => void): void => {
+      const made = button(words, title, () => {
+        made.ariaPressed = `${made.ariaPressed !== "true"}`;
+        act(made.ariaPressed === "true");
         this.pose(this.player.time);
       });
-      made.ariaPressed = `${this.stage.shown[name]}`;
+      made.ariaPressed = `${on}`;
+      this.switched.set(words, made);
     };
-    if (this.head.scene.shapes.some(({ kind }) => kind === "force" || kind === "torque")) layer("forces", "Arrows of loads");
-    this.switches(button);
-    if (this.head.scene.shapes.some(({ kind }) => kind === "frame")) layer("frames", "Axes of frames");
-    this.ghostly = button("ghosts", "Pale postures of several instants (key g)", () => this.toggleGhosts());
-    this.ghostly.ariaPressed = "false";
+    const layer = (name: "forces" | "frames", title: string): void =>
+      toggle(name, title, shown[name], (on) => {
+        shown[name] = on;
+        this.stage.show();
+      });
+    if (drawn("force", "torque")) layer("forces", "Arrows of loads");
+    const { overlay } = this.stage;
+    if (overlay !== null) {
+      const one = ["", ...overlay.coordinates];
+      const chooser = choice("The coordinate that moves", ["all coordinates", ...overlay.coordinates], 0, (number) => {
+        overlay.coordinate = one[number];
+        this.pose(this.player.time);
+      });
+      chooser.hidden = true;
+      for (const [kind, words, title] of SWITCHES.filter(([kind]) => overlay.has(kind))) {
+        toggle(words, title, false, (on) => {
+          void this.point(kind, on);
+          if (kind === "admissible") chooser.hidden = !on;
+        });
+      }
+      place("tools").append(chooser);
+    }
+    if (drawn("frame")) layer("frames", "Axes of frames");
+    toggle("ghosts", "Pale postures of several instants (key g)", false, (on) => {
+      this.ghosts = on;
+      this.haunt();
+    });
     button("fit", "The whole machine (key f)", () => this.fit());
     button("present", "The picture alone, in large type (key p)", () => this.present(true));
     button("keys", KEYS, () => this.say(KEYS));
-    this.comparing.title = "Keep this motion (key k), and see it with the next ones";
-    this.comparing.ariaLabel = this.comparing.title;
-    this.comparing.append(...COMPARED.map((words, i) => new Option(words, `${i}`)));
-    this.comparing.onchange = () => this.compare(Number(this.comparing.value));
+    this.comparing.title = this.comparing.ariaLabel ?? "";
     place("tools").append(this.comparing);
     this.saving();
   }
 
   private saving(): void {
+    const { stage, head: { name } } = this;
     const button = buttons(menu(place("tools"), "save"));
-    button("PNG", "The picture", () => picture(this.stage.canvas, this.head));
-    button("SVG", "The picture as lines and faces", () =>
-      save(new Blob([this.stage.sketch()], { type: "image/svg+xml" }), `${this.head.name}.svg`));
+    button("PNG", "The picture", () => stage.canvas.toBlob((blob) => blob !== null && save(blob, `${name}.png`), "image/png"));
+    button("SVG", "The picture as lines and faces", () => save(new Blob([stage.sketch()], { type: "image/svg+xml" }), `${name}.svg`));
     button("GIF", "The motion as a film that plays everywhere", () => void this.filmed());
-    button("CSV", "The values", () => table(this.motion, this.head));
+    button("CSV", "The values", () => save(table(this.motion, this.head), `${name}.csv`));
     if (typeof MediaRecorder === "undefined") return;
     const recording = button("film", "Record what plays", () => {
-      if (this.endFilm === null) {
-        this.endFilm = film(this.stage.canvas, this.head);
-        this.player.play();
-      } else {
-        this.endFilm();
-        this.endFilm = null;
-      }
+      if (this.endFilm !== null) this.endFilm();
+      else this.player.play();
+      this.endFilm = this.endFilm === null ? film(stage.canvas, (blob) => save(blob, `${name}.webm`)) : null;
       recording.ariaPressed = `${this.endFilm !== null}`;
     });
-  }
-
-  /** Arrows, by kind, and the coordinate of the admissible motions. */
-  private switches(button: Buttons): void {
-    const overlay = this.stage.overlay;
-    if (overlay === null) return;
-    for (const [kind, words, title] of SWITCHES) {
-      if (!overlay.has(kind)) continue;
-      const made = button(words, title, () => {
-        const on = !overlay.shown.has(kind);
-        made.ariaPressed = `${on}`;
-        void this.point(kind, on);
-        if (kind === "admissible") chooser.hidden = !on;
-      });
-      made.ariaPressed = "false";
-      if (kind === "velocity") this.speedy = made;
-    }
-    const title = "The coordinate that moves";
-    const chooser = make("select", { title, ariaLabel: title, hidden: true });
-    chooser.append(new Option("all coordinates", ""), ...overlay.coordinates.map((name) => new Option(name, name)));
-    chooser.onchange = () => {
-      overlay.coordinate = chooser.value;
-      this.pose(this.player.time);
-    };
-    place("tools").append(chooser);
-  }
-
-  private toggleGhosts(): void {
-    this.ghosts = !this.ghosts;
-    if (this.ghostly !== null) this.ghostly.ariaPressed = `${this.ghosts}`;
-    this.haunt();
-    this.pose(this.player.time);
   }
 
   /** The whole motion, frame by frame. */
   private async filmed(): Promise<void> {
     this.player.pause();
-    const { canvas } = this.stage;
-    const width = Math.min(FRAME_WIDTH, canvas.width);
-    const small = make("canvas", { width, height: Math.round((width * canvas.height) / canvas.width) });
-    const pen = small.getContext("2d", { willReadFrequently: true });
-    if (pen === null) return;
-    Object.assign(pen, { imageSmoothingQuality: "high" });
     this.stage.filming(true);
-    const { time } = this.player;
     const first = this.motion.at(0, 0);
     const length = this.motion.last - first;
-    const frames: ImageData[] = [];
-    for (let k = 0; k < FRAMES; ++k) {
-      this.pose(first + (length * k) / (FRAMES - 1));
-      pen.drawImage(canvas, 0, 0, small.width, small.height);
-      frames.push(pen.getImageData(0, 0, small.width, small.height));
-      if (k % 8 === 0) {
-        this.say(`Film: ${k + 1} of ${FRAMES} pictures`);
-        await new Promise((resolve) => setTimeout(resolve));
-      }
-    }
-    const seconds = Math.min(Math.max(length, 3), 10);
-    save(gif(frames, (1000 * seconds) / FRAMES), `${this.head.name}.gif`);
+    const made = await framed(this.stage.canvas, Math.min(Math.max(length, 3), 10), (part) => {
+      this.pose(first + length * part);
+      this.say(`Film: ${Math.round(100 * part)} %`);
+    });
+    save(made, `${this.head.name}.gif`);
     this.say("The film is saved.");
     this.stage.filming(false);
-    this.pose(time);
+    this.pose(this.player.time);
   }
 
   private keys(): void {
@@ -386,8 +349,8 @@ class Page {
       ArrowLeft: () => this.player.step(-0.01),
       "+": () => this.player.faster(1),
       "-": () => this.player.faster(-1),
-      g: () => this.toggleGhosts(),
-      v: () => this.speedy?.click(),
+      g: () => this.switched.get("ghosts")?.click(),
+      v: () => this.switched.get("v")?.click(),
       f: () => this.fit(),
       k: () => this.keep(),
       p: () => this.present(!document.documentElement.hasAttribute("data-present")),
@@ -402,8 +365,8 @@ class Page {
 
   private keep(): void {
     this.kept = this.motion;
-    this.comparing.value = `${Math.max(Number(this.comparing.value), 1)}`;
-    this.compare(Number(this.comparing.value));
+    this.comparing.selectedIndex = Math.max(this.comparing.selectedIndex, 1);
+    this.compare(this.comparing.selectedIndex);
   }
 
   private pointer(): void {

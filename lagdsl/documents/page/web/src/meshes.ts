@@ -1,4 +1,4 @@
-// Triangles of meshes, as lagdsl/page/meshes.py packs them.
+// Triangles of meshes, as lagdsl/documents/page/packed.py packs them.
 import { BufferAttribute, BufferGeometry } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { PackedMesh } from "./head.ts";

@@ -1,5 +1,6 @@
 // Rows of a motion, recorded or integrated here.
-import type { Head } from "./head.ts";
+import type { Column, Head } from "./head.ts";
+import { extremes } from "./numbers.ts";
 
 export class Motion {
   readonly count: number;
@@ -45,16 +46,17 @@ export class Motion {
 
   /** The largest size in a column. */
   largest(index: number): number {
-    let most = 0;
-    for (let row = 0; row < this.count; ++row) {
-      const size = Math.abs(this.at(row, index));
-      if (Number.isFinite(size)) most = Math.max(most, size);
-    }
-    return most;
+    return extremes(this.column(index).map(Math.abs), 0, 0)[1];
   }
 
   column(index: number): Float64Array {
     return Float64Array.from({ length: this.count }, (_, row) => this.at(row, index));
+  }
+
+  /** A column in the unit that is shown. */
+  shown(columns: readonly Column[], index: number): Float64Array {
+    const { scale, shift } = columns[index].display;
+    return this.column(index).map((si) => si * scale + shift);
   }
 }
 
@@ -78,10 +80,9 @@ export function recorded(head: Head, bytes: Uint8Array<ArrayBuffer>): Motion[] {
 export function together(motions: Motion[]): Motion {
   if (motions.length === 1) return motions[0];
   const values = new Float32Array(motions.reduce((sum, motion) => sum + motion.values.length, 0));
-  let from = 0;
-  for (const motion of motions) {
+  motions.reduce((from, motion) => {
     values.set(motion.values, from);
-    from += motion.values.length;
-  }
+    return from + motion.values.length;
+  }, 0);
   return new Motion(motions[0].width, values);
 }

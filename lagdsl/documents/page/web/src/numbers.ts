@@ -5,11 +5,13 @@ export function written(value: number, digits: number): string {
   if (!Number.isFinite(value)) return "–";
   const rounded = Number(value.toPrecision(digits));
   const size = Math.abs(rounded);
-  return size !== 0 && (size >= 1e6 || size < 1e-4) ? power(rounded.toExponential()) : `${rounded}`;
+  return size !== 0 && (size >= 1e6 || size < 1e-4) ? rounded.toExponential().replace("e+", "e") : `${rounded}`;
 }
 
-function power(text: string): string {
-  return text.replace("e+", "e");
+/** The least and the largest of finite numbers, and of `low` and `high`. */
+export function extremes(values: Iterable<number>, low = Infinity, high = -Infinity): [number, number] {
+  for (const value of values) if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  return [low, high];
 }
 
 /** Of the ticks of an axis, so that two of them differ. */
@@ -17,7 +19,7 @@ export function ticks(values: readonly number[], step: number): string[] {
   const most = Math.max(...values.map(Math.abs));
   if (most >= 1e6 || step < 1e-4) {
     const digits = Math.max(Math.ceil(Math.log10(most / step) - 1e-9), 0);
-    return values.map((value) => (value === 0 ? "0" : power(value.toExponential(Math.min(digits, 15)).replace(/\.?0+e/, "e"))));
+    return values.map((value) => (value === 0 ? "0" : value.toExponential(Math.min(digits, 15)).replace(/(\.?0+)?e\+?/, "e")));
   }
   let digits = 0;
   while (Math.abs(step * 10 ** digits - Math.round(step * 10 ** digits)) > 1e-6) ++digits;
@@ -51,11 +53,10 @@ function partOf(time: number, start: number, stop: number, parts: number): numbe
   return Math.min(Math.max(Math.floor((parts * (time - start)) / (stop - start || 1)), 0), parts - 1);
 }
 
-const LETTERS = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi chi psi omega";
+const LETTERS = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi chi psi omega".split(" ");
 const GREEK = "αβγδεζηθικλμνξοπρστυφχψω";
 
 /** A name whose words of Greek letters are these letters. */
 export function greek(name: string): string {
-  const words = LETTERS.split(" ");
-  return name.replace(/[a-z]+/g, (word) => (words.includes(word) ? GREEK[words.indexOf(word)] : word));
+  return name.replace(/[a-z]+/g, (word) => GREEK[LETTERS.indexOf(word)] ?? word);
 }

@@ -7,12 +7,12 @@ export interface Setup {
   stop: number;
   rows: number;
   tolerance: number;
+  longest: number; // [ms] of integration; motions beyond that end early, which the page tells
   lasting: number[];
   by: number[]; // parameters and, behind them, inputs that the end of the motion is differentiated by
   entries: number; // discrete variables
 }
 export interface Order {
-  number: number;
   parameters: Float64Array;
   inputs: Float64Array;
   pull: Pull | null; // first find starts
@@ -26,7 +26,6 @@ export interface Pull {
   starts: { parameter: number; column: number; size: number }[]; // that may change
 }
 export interface Answer {
-  number: number;
   rows: Float64Array;
   parameters: Float64Array;
   events: [time: number, kind: number, which: number][];

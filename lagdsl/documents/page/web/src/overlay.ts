@@ -2,8 +2,8 @@
 import type { Group } from "three";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { greek } from "./numbers.ts";
-import { drawn as made, vector, type Drawn, type Sizes } from "./shapes.ts";
+import { extremes, greek } from "./numbers.ts";
+import { drawn as made, vector, type Drawn, type Frame, type Sizes } from "./shapes.ts";
 
 export type Vectors = NonNullable<Head["vectors"]>;
 
@@ -16,15 +16,13 @@ export const SWITCHES: [kind: string, words: string, title: string][] = [
   ["constraint", "constraints", "Forces of constraints on masses"],
   ["friction", "friction", "Dry friction: its forces, and whether it sticks or slides"],
 ];
-const UNITS: Record<string, string> = {
-  velocity: "m/s", acceleration: "m/s²", reaction: "N", "reaction torque": "N·m", constraint: "N", friction: "N", force: "N", torque: "N·m",
-};
+const UNITS: Record<string, string> = { velocity: "m/s", acceleration: "m/s²", "reaction torque": "N·m", torque: "N·m" }; // of others: N
 const PALETTE = ["#db2777", "#7c3aed", "#0891b2", "#65a30d", "#ca8a04", "#dc2626", "#2563eb", "#0d9488"];
 const LONGEST = 0.3; // of the machine
 const TURNING = 0.4; // of the longest arrow: the radius of one of a torque
 const MOST_TOLD = 8;
 const ROUNDING = 1e-10;
-/** By number, as lagdsl/scene/vectors.py tells them. */
+/** By number, as lagdsl/derivation/scene/vectors.py tells them. */
 const MODES = ["open", "slides", "sticks"];
 
 export class Overlay {
@@ -33,18 +31,15 @@ export class Overlay {
   readonly coordinates: string[];
   coordinate = ""; // whose admissible motions are shown; all of them where it is empty
   private readonly scales = new Map<string, Sizes>();
+  private readonly frictions: Shape[];
   private motion: Motion | null = null;
   private row = 0; // of the motion: the last one so far
   private largest = 0; // force of friction along the motion
   private numbers = new Float64Array(0);
 
-  constructor(
-    private readonly vectors: Vectors,
-    private readonly sizes: Sizes,
-    place: Group,
-  ) {
-    const moving = vectors.shapes.flatMap((shape) => shape.texts.coordinate ?? []);
-    this.coordinates = [...new Set(moving)];
+  constructor(private readonly vectors: Vectors, private readonly sizes: Sizes, place: Group) {
+    this.coordinates = [...new Set(vectors.shapes.flatMap((shape) => shape.texts.coordinate ?? []))];
+    this.frictions = vectors.shapes.filter(({ kind }) => kind === "friction");
     for (const shape of vectors.shapes.filter(hasPlace)) {
       const index = this.coordinates.indexOf(shape.texts.coordinate ?? "");
       if (index >= 0) for (const part of shape.parts) part.color = PALETTE[index % PALETTE.length];
@@ -66,19 +61,16 @@ export class Overlay {
   take(motion: Motion): void {
     this.motion = motion;
     this.numbers = new Float64Array(motion.width);
+    const { first } = this.vectors;
     const most = new Map<string, number>();
     for (const shape of this.vectors.shapes.filter(hasPlace)) {
-      const at = this.vectors.first + shape.numbers.vector;
-      for (let row = 0; row < motion.count; ++row) {
-        const size = Math.hypot(motion.at(row, at), motion.at(row, at + 1), motion.at(row, at + 2));
-        if (Number.isFinite(size)) most.set(scaleOf(shape), Math.max(most.get(scaleOf(shape)) ?? 0, size));
-      }
+      const [x, y, z] = [0, 1, 2].map((k) => motion.column(first + shape.numbers.vector + k));
+      const [, size] = extremes(x.map((part, row) => Math.hypot(part, y[row], z[row])), 0, most.get(scaleOf(shape)) ?? 0);
+      most.set(scaleOf(shape), size);
     }
-    this.largest = 0;
-    for (const shape of this.vectors.shapes.filter(({ kind }) => kind === "friction")) {
-      const at = this.vectors.first + shape.numbers.value;
-      this.largest = Math.max(this.largest, motion.largest(at), shape.texts.components === "2" ? motion.largest(at + 1) : 0);
-    }
+    const sizes = this.frictions.flatMap(({ numbers, texts }) =>
+      Array.from({ length: Number(texts.components) }, (_, k) => motion.largest(first + numbers.value + k)));
+    this.largest = Math.max(0, ...sizes);
     for (const [kind, own] of this.scales) {
       const largest = most.get(kind) ?? 0;
       // A torque that is the rounding of forces at the size of the machine is none.
@@ -88,27 +80,27 @@ export class Overlay {
     }
   }
 
+  private get frame(): Frame {
+    return { numbers: this.numbers, first: this.vectors.first };
+  }
+
   pose(t: number): void {
     if (this.motion !== null && this.motion.count > 0) {
       const until = Math.min(t, this.motion.last);
       this.motion.state(until, this.numbers);
       this.row = this.motion.rowAt(until);
     }
-    const frame = { numbers: this.numbers, first: this.vectors.first };
     for (const drawn of this.drawn) {
       const chosen = this.coordinate === "" || (drawn.shape.texts.coordinate ?? this.coordinate) === this.coordinate;
-      const visible = this.shown.has(switchOf(drawn.shape)) && chosen && this.motion !== null;
-      drawn.object.visible = visible;
-      if (visible) drawn.update(frame);
+      drawn.object.visible = this.shown.has(switchOf(drawn.shape)) && chosen && this.motion !== null;
+      if (drawn.object.visible) drawn.update(this.frame);
       drawn.object.updateMatrixWorld(true);
     }
   }
 
   /** The value behind an arrow, with its unit. */
   value(shape: Shape): string {
-    if (shape.kind === "friction") return this.rubs(shape);
-    const at = vector(shape.numbers, "vector", { numbers: this.numbers, first: this.vectors.first });
-    return `${sizeText(at.length())} ${unitOf(shape)}`;
+    return shape.kind === "friction" ? this.rubs(shape) : `${sizeText(vector(shape.numbers, "vector", this.frame).length())} ${unitOf(shape)}`;
   }
 
   /** The value that the longest arrow of each switched kind stands for; what each friction does now. */
@@ -125,8 +117,7 @@ export class Overlay {
     }
     if (moving.length > 0) lines.unshift(`longest ${moving.join(", ")}`);
     if (!this.shown.has("friction") || this.motion === null) return lines;
-    const rubbing = new Map(this.vectors.shapes.filter(({ kind }) => kind === "friction").map((shape) => [shape.name, shape]));
-    const told = [...rubbing.values()].map((shape) => `${shape.name}: ${this.rubs(shape)}`);
+    const told = [...new Map(this.frictions.map((shape) => [shape.name, `${shape.name}: ${this.rubs(shape)}`])).values()];
     const more = told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [];
     return [...lines, ...told.slice(0, MOST_TOLD), ...more];
   }
@@ -155,7 +146,7 @@ function hasPlace(shape: Shape): boolean {
 }
 
 export function unitOf(shape: Shape): string {
-  return shape.texts.unit ?? UNITS[shape.kind] ?? "";
+  return shape.texts.unit ?? UNITS[shape.kind] ?? "N";
 }
 
 export function sizeText(value: number): string {

@@ -53,7 +53,7 @@ export class Screen {
   }
 
   /** Two pictures of a scene, each posed before it is drawn: the first left of the second, or pale behind it. */
-  pair(scene: Scene, camera: Camera, beside: boolean, poses: [() => void, () => void]): void {
+  pair(scene: Scene, camera: Camera, beside: boolean, poses: (() => void)[]): void {
     if (this.software) this.soften();
     const { renderer } = this;
     const { background } = scene;

@@ -1,19 +1,7 @@
 // The primitives of pictures, as lagdsl/derivation/scene tells them: objects of three.js that follow numbers of the scene.
 import {
-  BufferAttribute,
-  BufferGeometry,
-  CanvasTexture,
-  DoubleSide,
-  Group,
-  Line,
-  LineBasicMaterial,
-  Mesh,
-  MeshLambertMaterial,
-  type Object3D,
-  Color,
-  Sprite,
-  SpriteMaterial,
-  Vector3,
+  BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshLambertMaterial, type Object3D, Sprite,
+  SpriteMaterial, Vector3,
 } from "three";
 import { axesAlong, lay, tube } from "./geometry.ts";
 import type { Part, Shape } from "./head.ts";
@@ -27,7 +15,6 @@ export interface Frame {
 export interface Sizes {
   length: number; // of the machine [m]
   scales: Record<string, number>; // of arrows: metres for a newton, for a newton metre
-  planar: boolean;
   first: number;
   center: Vector3; // of the machine
   forms: ReadonlyMap<string, BufferGeometry>;
@@ -136,24 +123,24 @@ function line(part: Part, _: Shape, sizes: Sizes): Pieces {
 
 /** From tail to tip. Loads are as long as they are large; a direction of the user has one length, two points theirs. */
 function arrow(part: Part, _: Shape, sizes: Sizes): Pieces {
+  const { length, forms, scales } = sizes;
   const object = new Group();
-  const [shaft, tip] = ["cylinder", "cone"].map((name) => solid(part, sizes.forms.get(name) ?? new BufferGeometry()));
+  const [shaft, tip] = ["cylinder", "cone"].map((name) => solid(part, forms.get(name) ?? new BufferGeometry()));
   object.add(shaft, tip);
   return {
     object,
     update(frame) {
       const at = vector(part.numbers, "at", frame);
       const way = "to" in part.numbers ? vector(part.numbers, "to", frame).sub(at) : vector(part.numbers, "vector", frame);
-      if (part.scale) way.multiplyScalar(sizes.scales[part.scale]);
-      else if (!("to" in part.numbers)) way.setLength(DIRECTION * sizes.length);
-      const length = way.length();
-      object.visible = length > 1e-6 * sizes.length;
+      if (part.scale) way.multiplyScalar(scales[part.scale]);
+      else if (!("to" in part.numbers)) way.setLength(DIRECTION * length);
+      const whole = way.length();
+      object.visible = whole > 1e-6 * length;
       if (!object.visible) return;
-      const head = Math.min(NECK * sizes.length, 0.6 * length);
+      const head = Math.min(NECK * length, 0.6 * whole);
       const axes = axesAlong(way, null);
-      const neck = at.clone().addScaledVector(axes[2], length - head);
-      shaft.matrix.copy(lay(axes, [SHAFT * sizes.length, SHAFT * sizes.length, length - head], at));
-      tip.matrix.copy(lay(axes, [HEAD * sizes.length, HEAD * sizes.length, head], neck));
+      shaft.matrix.copy(lay(axes, [SHAFT * length, SHAFT * length, whole - head], at));
+      tip.matrix.copy(lay(axes, [HEAD * length, HEAD * length, head], at.addScaledVector(axes[2], whole - head)));
     },
   };
 }
@@ -161,10 +148,11 @@ function arrow(part: Part, _: Shape, sizes: Sizes): Pieces {
 /** The way of a point so far, and faintly all of it. */
 function trace(part: Part, _: Shape, sizes: Sizes): Pieces {
   const object = new Group();
-  const past = new Line(new BufferGeometry(), new LineBasicMaterial({ color: colour(part) }));
-  const all = new Line(past.geometry.clone(), new LineBasicMaterial({ color: colour(part), transparent: true, opacity: 0.25 }));
-  past.frustumCulled = all.frustumCulled = false;
-  object.add(past, all);
+  const lines = [1, 0.25].map((opacity) => {
+    const material = new LineBasicMaterial({ color: colour(part), transparent: opacity < 1, opacity });
+    return Object.assign(new Line(new BufferGeometry(), material), { frustumCulled: false });
+  });
+  object.add(...lines);
   let known: Motion | null = null;
   return {
     object,
@@ -172,18 +160,14 @@ function trace(part: Part, _: Shape, sizes: Sizes): Pieces {
     follow(motion, row) {
       if (motion !== known) {
         known = motion;
-        const places = new Float32Array(3 * motion.count);
         const at = sizes.first + part.numbers.at;
-        for (let i = 0; i < motion.count; ++i) {
-          for (let k = 0; k < 3; ++k) places[3 * i + k] = motion.at(i, at + k);
-        }
-        for (const line of [past, all]) {
-          line.geometry.dispose();
-          line.geometry = new BufferGeometry();
-          line.geometry.setAttribute("position", new BufferAttribute(places, 3));
+        const places = Float32Array.from({ length: 3 * motion.count }, (_, i) => motion.at(Math.floor(i / 3), at + (i % 3)));
+        for (const each of lines) {
+          each.geometry.dispose();
+          each.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
         }
       }
-      past.geometry.setDrawRange(0, row + 1);
+      lines[0].geometry.setDrawRange(0, row + 1);
     },
   };
 }

@@ -56,7 +56,7 @@ export class Sliders {
       place.append(make("details", { open }, make("summary", { textContent: title }), ...others.map((quantity) => this.row(quantity))));
     }
     const reset = (): void => {
-      for (const quantity of this.values.keys()) this.values.set(quantity, quantity.value);
+      this.values.forEach((_, quantity) => this.values.set(quantity, quantity.value));
       this.reread();
       changed();
     };
@@ -74,7 +74,7 @@ export class Sliders {
   set(name: string, to: (before: number) => number): void {
     const found = this.head.parameters.find((quantity) => quantity.name === name);
     if (found === undefined) return;
-    this.put(name, to(this.values.get(found) ?? found.value));
+    this.put(name, to(this.present(found)));
     this.changed();
   }
 
@@ -82,12 +82,16 @@ export class Sliders {
     this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
   }
 
+  private present(quantity: Quantity): number {
+    return this.values.get(quantity) ?? quantity.value;
+  }
+
   get parameters(): Float64Array {
-    return Float64Array.from(this.head.parameters, (quantity) => this.values.get(quantity) ?? quantity.value);
+    return Float64Array.from(this.head.parameters, (quantity) => this.present(quantity));
   }
 
   get inputs(): Float64Array {
-    return Float64Array.from(this.head.inputs, (quantity) => this.values.get(quantity) ?? quantity.value);
+    return Float64Array.from(this.head.inputs, (quantity) => this.present(quantity));
   }
 
   /** The parameters of a run. */
@@ -118,16 +122,15 @@ export class Sliders {
       fault.hidden = words === "";
       field.setAttribute("aria-invalid", `${words !== ""}`);
     };
-    const present = (): number => this.values.get(quantity) ?? quantity.value;
     const reread = (): void => {
-      const si = present();
+      const si = this.present(quantity);
       bar.value = `${(STEPS * (si - low)) / (high - low || 1)}`;
       field.value = shown(quantity, si);
       tell(judged(quantity, si, si).words);
     };
     const set = (wanted: number): void => {
       const si = snapped(quantity, wanted);
-      const { taken, words } = judged(quantity, si, present());
+      const { taken, words } = judged(quantity, si, this.present(quantity));
       if (taken) {
         this.values.set(quantity, si);
         this.changed();

@@ -35,12 +35,8 @@ export class Source {
   }
 
   mark(spans: Span[]): void {
-    this.lines.forEach((line, i) => {
-      line.classList.toggle(
-        "marked",
-        [...spans, ...this.pinned].some((span) => i + 1 >= span.first[0] && i + 1 <= span.last[0]),
-      );
-    });
+    const marked = [...spans, ...this.pinned];
+    this.lines.forEach((line, i) => line.classList.toggle("marked", marked.some(({ first, last }) => i + 1 >= first[0] && i + 1 <= last[0])));
     if (spans.length > 0) this.lines[spans[0].first[0] - 1]?.scrollIntoView({ block: "nearest" });
   }
 }

@@ -1,29 +1,10 @@
 // The picture: camera, light, ground, and all shapes of the scene.
 import {
-  AmbientLight,
-  Box3,
-  type BufferGeometry,
-  Color,
-  DirectionalLight,
-  GridHelper,
-  Group,
-  HemisphereLight,
-  Matrix4,
-  Mesh,
-  MeshLambertMaterial,
-  OrthographicCamera,
-  PerspectiveCamera,
-  Raycaster,
-  Scene,
-  Sprite,
-  Vector2,
-  Vector3,
-  type Intersection,
-  type Object3D,
-  Plane,
+  AmbientLight, Box3, type BufferGeometry, Color, DirectionalLight, GridHelper, Group, HemisphereLight, type Intersection, Matrix4, Mesh,
+  MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene, Sprite, Vector2, Vector3,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { gauge } from "./gauges.ts";
+import { gauge, isGauge } from "./gauges.ts";
 import type { Head, Part, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above } from "./numbers.ts";
@@ -43,6 +24,12 @@ const POSTURES = 13;
 const MARGIN = 0.05; // of the machine: so far a motion may leave the box
 const FARTHEST = 20;
 const AWAY = 4; // of its own size: a machine that goes so far drives away
+
+interface Moment {
+  motion: Motion;
+  numbers: Float64Array;
+  t: number;
+}
 
 /** A place of a thing, as a sum of vectors of a row, and where it is now. */
 export interface Held {
@@ -66,11 +53,10 @@ export class Stage {
   readonly shown = { forces: true, frames: false };
   readonly overlay: Overlay | null;
   private moved = false; // somebody chose a view
-  private now: { motion: Motion; numbers: Float64Array; t: number } | null = null; // that is drawn
+  private now: Moment | null = null; // that is drawn
   private other: { motion: Motion; numbers: Float64Array; beside: boolean } | null = null; // to compare with
   private onlyGauges = false;
   private motion: Motion; // that the picture shows
-  private numbers: Float64Array = new Float64Array(0); // of the moment that it shows
   private readonly places: readonly Placed[];
   private followed: Vector3 | null = null; // middle of a machine that the view goes with
 
@@ -83,15 +69,12 @@ export class Stage {
   ) {
     this.motion = whole;
     this.screen = new Screen(() => this.render());
-    this.canvas = this.screen.canvas;
-    this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `The machine ${head.name}, moving`);
+    this.canvas = Object.assign(this.screen.canvas, { role: "img", ariaLabel: `The machine ${head.name}, moving` });
     place.append(this.canvas);
     this.places = placesOf(head, whole);
     this.box = extent(this.places, whole);
     const { length, scales, coil } = head.stage;
-    const center = new Vector3(...head.stage.center);
-    this.sizes = { length, scales, coil, center, planar: head.planar, first: head.scene.first, forms, meshes };
+    this.sizes = { length, scales, coil, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.stage.axes[1]);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -109,11 +92,9 @@ export class Stage {
     this.furnish();
     this.surround();
     this.grid = this.ground(length);
-    this.scene.add(this.grid);
-    const { arrows } = this;
-    if (head.planar) arrows.position.z = 2 * length; // in front of everything, planes of contacts too
-    this.scene.add(arrows);
-    this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, arrows) : null;
+    this.scene.add(this.grid, this.arrows);
+    if (head.planar) this.arrows.position.z = 2 * length; // in front of everything, planes of contacts too
+    this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, this.arrows) : null;
     this.theme();
     this.aim();
     new ResizeObserver(() => {
@@ -122,9 +103,10 @@ export class Stage {
   }
 
   private furnish(): void {
-    const gauges = this.head.scene.shapes.filter(isGauge);
+    const { shapes } = this.head.scene;
+    const gauges = shapes.filter(isGauge);
     const machine = this.box.clone();
-    for (const shape of this.head.scene.shapes) {
+    for (const shape of shapes) {
       const drawn = isGauge(shape)
         ? gauge(shape, this.sizes, machine, this.facing(), gauges.indexOf(shape), gauges.length)
         : made(shape, this.sizes);
@@ -132,7 +114,7 @@ export class Stage {
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
     }
-    this.onlyGauges = gauges.length > 0 && this.head.scene.shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind));
+    this.onlyGauges = gauges.length > 0 && shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind));
     this.show();
   }
 
@@ -158,7 +140,7 @@ export class Stage {
     if (this.moved || this.onlyGauges || this.followed !== null) return;
     const room = this.box.clone().expandByScalar(MARGIN * this.sizes.length);
     const found = extent(this.places, motion);
-    if (room.containsBox(found) || found.union(this.box).getSize(new Vector3()).length() > FARTHEST * this.sizes.length) return;
+    if (room.containsBox(found) || diagonal(found.union(this.box)) > FARTHEST * this.sizes.length) return;
     this.box.union(found);
     this.enclose(motion);
     this.aim();
@@ -182,15 +164,16 @@ export class Stage {
     const step = 10 ** Math.floor(Math.log10(length / 2));
     const count = 2 * Math.ceil((1.5 * length) / step);
     const grid = new GridHelper(count * step, count);
-    const center = this.box.getCenter(new Vector3());
-    if (this.head.planar) grid.rotation.x = Math.PI / 2;
-    else grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...this.head.stage.axes[1]));
-    const up = new Vector3(...this.head.stage.axes[1]);
-    if (this.head.planar) grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
-    else {
-      const low = Math.min(up.dot(this.box.min), up.dot(this.box.max));
-      grid.position.copy(center).addScaledVector(up, low - up.dot(center) - 0.02 * length);
+    const center = middle(this.box);
+    if (this.head.planar) {
+      grid.rotation.x = Math.PI / 2;
+      grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
+      return grid;
     }
+    const up = new Vector3(...this.head.stage.axes[1]);
+    const low = Math.min(up.dot(this.box.min), up.dot(this.box.max));
+    grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
+    grid.position.copy(center).addScaledVector(up, low - up.dot(center) - 0.02 * length);
     return grid;
   }
 
@@ -198,26 +181,24 @@ export class Stage {
    * shows the whole way. The caller poses the machine anew. */
   lookAt(): void {
     this.moved = false;
-    const own = this.followed === null ? this.machineAt(this.numbers) : null;
-    this.followed = own !== null && this.drivesAway(own) ? own.getCenter(new Vector3()) : null;
-    if (own !== null && this.followed !== null) this.box.copy(own.expandByScalar(0.2 * own.getSize(new Vector3()).length()));
+    const own = this.machine();
+    const away = this.followed === null && diagonal(own) > 0 && diagonal(extent(this.places, this.motion)) > AWAY * diagonal(own);
+    this.followed = away ? middle(own) : null;
+    if (away) this.box.copy(own.expandByScalar(0.2 * diagonal(own)));
     else this.surround();
     this.aim();
   }
 
-  private machineAt(numbers: Float64Array): Box3 {
+  /** All places at the present moment. */
+  private machine(): Box3 {
+    const { numbers } = this.now ?? { numbers: [] };
     return grown(new Box3(), this.places, (column) => numbers[column]);
-  }
-
-  private drivesAway(own: Box3): boolean {
-    const size = own.getSize(new Vector3()).length();
-    return size > 0 && extent(this.places, this.motion).getSize(new Vector3()).length() > AWAY * size;
   }
 
   /** The view goes with the machine. */
   private go(): void {
     if (this.followed === null) return;
-    const center = this.machineAt(this.numbers).getCenter(new Vector3());
+    const center = middle(this.machine());
     const step = center.clone().sub(this.followed);
     this.followed = center;
     this.box.translate(step);
@@ -236,16 +217,15 @@ export class Stage {
   }
 
   private aim(): void {
-    const size = this.box.getSize(new Vector3()).length() / Math.SQRT2;
-    this.grid.scale.setScalar(Math.max(above((0.8 * size) / this.sizes.length), 1));
-    this.controls.target.copy(this.box.getCenter(new Vector3()));
+    this.grid.scale.setScalar(Math.max(above((0.8 * diagonal(this.box)) / Math.SQRT2 / this.sizes.length), 1));
+    this.controls.target.copy(middle(this.box));
     this.resize();
     this.controls.update();
   }
 
   /** The box fills the picture, with a margin. */
   private fit(aspect: number): void {
-    const center = this.box.getCenter(new Vector3());
+    const center = middle(this.box);
     const { length } = this.sizes;
     if (this.camera instanceof OrthographicCamera) {
       const size = this.box.getSize(new Vector3());
@@ -288,7 +268,7 @@ export class Stage {
   /** Names keep a least height on a small screen. */
   private legible(height: number): void {
     const { camera } = this;
-    const distance = camera.position.distanceTo(this.box.getCenter(new Vector3()));
+    const distance = camera.position.distanceTo(middle(this.box));
     const seen = camera instanceof OrthographicCamera ? camera.top - camera.bottom : 2 * distance * Math.tan((camera.fov * Math.PI) / 360);
     const least = (LEAST_LETTERS * seen) / height;
     this.scene.traverse((object) => {
@@ -313,14 +293,13 @@ export class Stage {
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
     this.now = { motion, numbers, t };
-    this.numbers = numbers;
     this.go();
     this.overlay?.pose(t);
-    this.set(motion, numbers, t);
+    this.set(this.now);
     this.render();
   }
 
-  private set(motion: Motion, numbers: Float64Array, t: number): void {
+  private set({ motion, numbers, t }: Moment): void {
     const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
@@ -368,22 +347,13 @@ export class Stage {
   render(): void {
     const { now, other } = this;
     if (now === null) return;
-    if (other === null) {
-      this.screen.draw(this.scene, this.camera);
-      return;
-    }
-    const alone = (first: boolean): void => void (this.arrows.visible = this.ghosts.visible = !first);
-    const until = Math.min(now.t, other.motion.last);
-    this.screen.pair(this.scene, this.camera, other.beside, [
-      () => {
-        alone(true);
-        this.set(other.motion, other.motion.state(until, other.numbers), until);
-      },
-      () => {
-        alone(false);
-        this.set(now.motion, now.numbers, now.t);
-      },
-    ]);
+    if (other === null) return this.screen.draw(this.scene, this.camera);
+    const t = Math.min(now.t, other.motion.last);
+    const first = { ...other, numbers: other.motion.state(t, other.numbers), t };
+    this.screen.pair(this.scene, this.camera, other.beside, [first, now].map((moment) => () => {
+      this.arrows.visible = this.ghosts.visible = moment === now;
+      this.set(moment);
+    }));
   }
 
   filming(on: boolean): void {
@@ -425,9 +395,13 @@ export class Stage {
     return this.sizes.length;
   }
 
+  /** The machine and its arrows. */
+  private get all(): Drawn[] {
+    return [...this.drawn, ...(this.overlay?.drawn ?? [])];
+  }
+
   private hitAt(x: number, y: number): Intersection | undefined {
-    const arrows = (this.overlay?.drawn ?? []).filter((drawn) => drawn.object.visible);
-    const objects = [...this.drawn.filter(({ object }) => object.visible), ...arrows].map((drawn) => drawn.object);
+    const objects = this.all.map(({ object }) => object).filter(({ visible }) => visible);
     return this.ray(x, y).intersectObjects(objects).find((hit) => hit.object.visible);
   }
 
@@ -445,11 +419,10 @@ export class Stage {
   }
 
   highlight(shapes: readonly Shape[]): void {
-    for (const drawn of [...this.drawn, ...(this.overlay?.drawn ?? [])]) {
-      drawn.object.traverse((object: Object3D) => {
-        if (object instanceof Mesh && object.material instanceof MeshLambertMaterial) {
-          object.material.emissive.setHex(shapes.includes(drawn.shape) ? 0x7a5200 : 0);
-        }
+    for (const drawn of this.all) {
+      const ink = shapes.includes(drawn.shape) ? 0x7a5200 : 0;
+      drawn.object.traverse((object) => {
+        if (object instanceof Mesh && object.material instanceof MeshLambertMaterial) object.material.emissive.setHex(ink);
       });
     }
     this.render();
@@ -474,8 +447,12 @@ function within(numbers: Record<string, number>, point: Vector3, frame: Frame): 
   return parts;
 }
 
-function isGauge(shape: Shape): boolean {
-  return shape.kind === "slider" || shape.kind === "dial";
+function middle(box: Box3): Vector3 {
+  return box.getCenter(new Vector3());
+}
+
+function diagonal(box: Box3): number {
+  return box.getSize(new Vector3()).length();
 }
 
 function round(value: number, step: number): number {
@@ -520,8 +497,6 @@ function extent(places: readonly Placed[], motion: Motion): Box3 {
   const box = new Box3();
   const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
   for (let row = 0; row < motion.count; row += stride) grown(box, places, (column) => motion.at(row, column));
-  if (box.isEmpty()) box.set(new Vector3(0, 0, 0), new Vector3(0, 0, 0));
-  const size = box.getSize(new Vector3()).length();
-  if (size === 0) box.expandByScalar(0.5);
-  return box;
+  if (box.isEmpty()) box.set(new Vector3(), new Vector3());
+  return diagonal(box) === 0 ? box.expandByScalar(0.5) : box;
 }

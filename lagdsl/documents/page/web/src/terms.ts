@@ -6,21 +6,18 @@ export class Terms {
   private pinned: Span | null = null;
 
   constructor(head: Head, place: HTMLElement, pointed: (spans: Span[]) => void, chosen: (spans: Span[]) => void) {
-    this.terms = [...place.querySelectorAll("[data-from]")].map((element) => {
-      const indices = (element.getAttribute("data-from") ?? "").split(" ").filter((index) => index !== "");
-      const spans = indices.map((index) => head.sources[Number(index)]).filter((span) => span !== null);
-      return { element, spans };
+    this.terms = [...place.querySelectorAll<HTMLElement>("[data-from]")].map((element) => {
+      const indices = element.dataset.from?.match(/\d+/g) ?? [];
+      return { element, spans: indices.map((index) => head.sources[Number(index)]).filter((span) => span !== null) };
     });
     for (const { element, spans } of this.terms) {
-      element.addEventListener("pointerenter", () => {
+      const over = (on: boolean): void => {
         this.mark(null);
-        element.classList.add("marked");
-        pointed(spans);
-      });
-      element.addEventListener("pointerleave", () => {
-        this.mark(null);
-        pointed([]);
-      });
+        if (on) element.classList.add("marked");
+        pointed(on ? spans : []);
+      };
+      element.addEventListener("pointerenter", () => over(true));
+      element.addEventListener("pointerleave", () => over(false));
       element.addEventListener("click", () => chosen(spans));
     }
   }
@@ -46,9 +43,6 @@ export class Terms {
 }
 
 export function overlap(a: Span, b: Span): boolean {
+  const before = (x: Span["first"], y: Span["first"]): boolean => x[0] < y[0] || (x[0] === y[0] && x[1] < y[1]);
   return before(a.first, b.last) && before(b.first, a.last);
-}
-
-function before(a: [number, number], b: [number, number]): boolean {
-  return a[0] < b[0] || (a[0] === b[0] && a[1] < b[1]);
 }

@@ -1,8 +1,10 @@
-"""Triangles of meshes as a page carries them: places on a grid of 65 535 steps, in the box of each file."""
+"""Data as text of a page, the counterpart of web/src/packed.ts. Triangles of meshes, that of web/src/meshes.ts: places
+on a grid of 65 535 steps, in the box of each file."""
 
 from __future__ import annotations
 
 import zlib
+from base64 import b85encode
 from collections.abc import Mapping, Sequence
 from functools import cache
 
@@ -10,12 +12,20 @@ import numpy as np
 
 from lagdsl.derivation.scene.forms import triangles
 from lagdsl.derivation.scene.shapes import Shape
-from lagdsl.documents.page.digits import digits
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.record import record
 
 _STEPS = 65_535
 _MOST_NAMED = 5
+
+
+def digits(data: bytes) -> str:
+    """Five digits of base 85 (RFC 1924) for four bytes, with `,` for `<`: no digits are markup."""
+    return b85encode(data).decode().replace("<", ",")
+
+
+def deflated(data: bytes) -> str:
+    return digits(zlib.compress(data, 9))
 
 
 @record(kw_only=True)
@@ -35,13 +45,10 @@ def packed_meshes(
 ) -> tuple[list[PackedMesh], dict[int, int], str]:
     """Meshes, `found` by the numbers of shapes, each once; the number of the mesh by that of the shape; what there is
     to say of those not drawn."""
-    numbers: dict[int, int] = {}
-    different: dict[int, int] = {}
-    for k, mesh in found.items():
-        numbers[k] = different.setdefault(id(mesh), len(different))
     unique = {id(mesh): mesh for mesh in found.values()}
+    places = {key: place for place, key in enumerate(unique)}
     left = [dict(s.texts).get("file", "") for k, s in enumerate(shapes) if s.kind == "mesh" and k not in found]
-    return [packed(unique[key]) for key in different], numbers, _words(left)
+    return [packed(mesh) for mesh in unique.values()], {k: places[id(mesh)] for k, mesh in found.items()}, _words(left)
 
 
 @cache
@@ -60,7 +67,7 @@ def packed(mesh: Triangles) -> PackedMesh:
         triangles=len(mesh.corners),
         low=tuple(float(f"{x:.12g}") for x in low),
         step=tuple(float(f"{x:.12g}") for x in step),
-        data=digits(zlib.compress(data, 9)),
+        data=deflated(data),
     )
 
 
