@@ -17,7 +17,21 @@ _VARIANTS = ("", "R", "I", "T", "H", "RH", "IH", "M", "MH")
 TYPES = {f"{kind}{variant}": kind for kind in SIZES for variant in _VARIANTS}
 MAX_NODES = 100_000
 _GENERATING = frozenset(
-    "INCLUDE NGEN NFILL NCOPY NMAP ELGEN ELCOPY SYSTEM TRANSFORM PART INSTANCE ASSEMBLY SUBMODEL".split()
+    [
+        "INCLUDE",
+        "NGEN",
+        "NFILL",
+        "NCOPY",
+        "NMAP",
+        "ELGEN",
+        "ELCOPY",
+        "SYSTEM",
+        "TRANSFORM",
+        "PART",
+        "INSTANCE",
+        "ASSEMBLY",
+        "SUBMODEL",
+    ]
 )
 """Keywords that make or move nodes elsewhere than in the lines of `*NODE`."""
 
@@ -125,7 +139,9 @@ def _elements(draft: _Draft, block: Block) -> None:
             continue
         number, nodes = cells[0], tuple(cells[1:])
         if len(nodes) != SIZES[kind]:
-            raise Refused("E1201", line.span, what=f"element {number}", text=f"{len(nodes)} nodes", expected=f"{SIZES[kind]}")
+            raise Refused(
+                "E1201", line.span, what=f"element {number}", text=f"{len(nodes)} nodes", expected=f"{SIZES[kind]}"
+            )
         if number in draft.deck.elements:
             raise Refused("E1206", line.span, what="element", name=number)
         missing = [node for node in nodes if node not in draft.deck.nodes]
@@ -182,7 +198,9 @@ def _elastic(draft: _Draft, block: Block) -> None:
     line = block.lines[0]
     modulus, ratio = line.real(0, "Young's modulus"), line.real(1, "Poisson's ratio")
     if modulus <= 0 or not -1 < ratio < 0.5:
-        raise Refused("E1201", line.span, what="*ELASTIC", text=f"{modulus:g}, {ratio:g}", expected="those of a material")
+        raise Refused(
+            "E1201", line.span, what="*ELASTIC", text=f"{modulus:g}, {ratio:g}", expected="those of a material"
+        )
     for name in draft.material:
         draft.materials[name] = (modulus, ratio)
 

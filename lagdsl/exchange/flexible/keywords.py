@@ -10,8 +10,6 @@ from lagdsl.exchange.flexible.refusal import Refused, line_span
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import SourceFile, Span
 
-
-
 LONGEST = 12
 """Digits of a number of a node or an element."""
 

@@ -47,8 +47,12 @@ def read_matrices(deck: Path, stem: Path | None) -> Matrices:
         return _abaqus([found[0] for found in abaqus])
     if any(len(found) > 1 for found in abaqus):
         found = ", ".join(path.name for paths in abaqus for path in paths)
-        raise Refused("E1205", None, name=deck, files=f"one `{name.name}_STIF*.mtx` and one `{name.name}_MASS*.mtx`, not {found}")
-    raise Refused("E1205", None, name=deck, files=f"`{name.name}.sti`, `.mas`, `.dof`, or `{name.name}_STIF*.mtx`, `_MASS*.mtx`")
+        raise Refused(
+            "E1205", None, name=deck, files=f"one `{name.name}_STIF*.mtx` and one `{name.name}_MASS*.mtx`, not {found}"
+        )
+    raise Refused(
+        "E1205", None, name=deck, files=f"`{name.name}.sti`, `.mas`, `.dof`, or `{name.name}_STIF*.mtx`, `_MASS*.mtx`"
+    )
 
 
 def _literal(name: str) -> str:
@@ -58,7 +62,9 @@ def _literal(name: str) -> str:
 def _calculix(paths: list[Path]) -> Matrices:
     missing = [path for path in paths if not path.exists()]
     if missing:
-        raise Refused("E1205", None, name=paths[0].with_suffix(""), files=", ".join(f"`{path.name}`" for path in missing))
+        raise Refused(
+            "E1205", None, name=paths[0].with_suffix(""), files=", ".join(f"`{path.name}`" for path in missing)
+        )
     unknowns, *matrices = (read_file(path) for path in paths)
     keys = _unknowns(unknowns.source)
     read = []
@@ -75,7 +81,9 @@ def _abaqus(paths: list[Path]) -> Matrices:
     pairs = np.vstack([np.vstack([cells[:, :2], cells[:, 2:4]]) for cells in tables])
     keys = np.unique(pairs, axis=0)
     if not np.array_equal(keys, np.round(keys)) or (keys[:, 0] < 1).any():
-        raise Refused("E1210", end_span(files[0].source), name=paths[0].name, reason="it has unknowns of no node of the deck")
+        raise Refused(
+            "E1210", end_span(files[0].source), name=paths[0].name, reason="it has unknowns of no node of the deck"
+        )
     order = {(int(node), int(direction)): k for k, (node, direction) in enumerate(keys)}
     read = []
     for file, cells in zip(files, tables, strict=True):
@@ -100,7 +108,9 @@ def _unknowns(file: SourceFile) -> Integers:
     if not found:
         raise Refused("E1203", None, name=file.name, what="unknowns")
     if max(node for node, _ in found) > 2**62:
-        raise Refused("E1201", None, what="the number of a node", text=str(max(found)[0])[:40], expected="a positive integer")
+        raise Refused(
+            "E1201", None, what="the number of a node", text=str(max(found)[0])[:40], expected="a positive integer"
+        )
     return np.array(found, dtype=np.int64)
 
 
@@ -125,7 +135,9 @@ def _faulty(file: SourceFile, width: int) -> Refused:
     for number, line in lines:
         wrong = [word for word in line.split() if number_of(word) is None]
         if wrong:
-            return Refused("E1201", line_span(file, number), what="an entry", text=wrong[0][:40], expected="a finite number")
+            return Refused(
+                "E1201", line_span(file, number), what="an entry", text=wrong[0][:40], expected="a finite number"
+            )
         if len(line.split()) != width:
             what = f"a line of {width} numbers"
             return Refused("E1202", line_span(file, number), what=what)
@@ -147,7 +159,9 @@ def _line_of(file: SourceFile, row: int) -> Any:
     return line_span(file, filled[row])
 
 
-def _assembled(keys: Integers, read: list[tuple[SourceFile, Integers, Integers, Floats]], files: tuple[InputFile, ...]) -> Matrices:
+def _assembled(
+    keys: Integers, read: list[tuple[SourceFile, Integers, Integers, Floats]], files: tuple[InputFile, ...]
+) -> Matrices:
     """Matrices in the order of the nodes, three unknowns each."""
     nodes = np.unique(keys[:, 0])
     known = {(int(node), int(direction)) for node, direction in keys}
@@ -163,7 +177,9 @@ def _assembled(keys: Integers, read: list[tuple[SourceFile, Integers, Integers, 
     position = {int(node): k for k, node in enumerate(nodes)}
     place = np.array([3 * position[int(node)] + int(direction) - 1 for node, direction in keys])
     size = 3 * len(nodes)
-    stiffness, mass = (_symmetric(file, place[rows], place[columns], values, size) for file, rows, columns, values in read)
+    stiffness, mass = (
+        _symmetric(file, place[rows], place[columns], values, size) for file, rows, columns, values in read
+    )
     return Matrices(nodes=tuple(int(node) for node in nodes), stiffness=stiffness, mass=mass, files=files)
 
 
@@ -171,13 +187,11 @@ def _symmetric(file: SourceFile, rows: Integers, columns: Integers, values: Floa
     """A matrix from both of its triangles, or from one of them, whichever the file has."""
     given = sparse.csr_array((values, (rows, columns)), shape=(size, size))
     upper, lower = sparse.triu(given, 1), sparse.tril(given, -1)
-    if upper.nnz and lower.nnz:
-        pattern = (upper != 0).multiply((lower.T != 0))
-        if pattern.nnz:
-            scale = abs(given).max()
-            if abs(upper - lower.T).max() > _ASYMMETRY * scale:
-                raise Refused("E1210", end_span(file), name=Path(file.name).name, reason="it is not symmetric")
-            return sparse.csr_array(0.5 * (given + given.T))
+    if upper.nnz and lower.nnz and sparse.csr_array(abs(upper)).multiply(abs(lower.T)).nnz:
+        scale = abs(given).max()
+        if abs(upper - lower.T).max() > _ASYMMETRY * scale:
+            raise Refused("E1210", end_span(file), name=Path(file.name).name, reason="it is not symmetric")
+        return sparse.csr_array(0.5 * (given + given.T))
     return sparse.csr_array(given + upper.T + lower.T)
 
 

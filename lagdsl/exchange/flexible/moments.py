@@ -1,8 +1,8 @@
 """Integrals over the mass of a body of solid elements, whose mass matrix is the same in all three directions.
 
 The integral of u_i v_j over the mass is u_i' m v_j, where m is the block of the mass matrix of one direction. Sources:
-A. A. Shabana, Dynamics of Multibody Systems, ch. 5; R. Schwertassek and O. Wallrapp, Dynamik flexibler Mehrkörpersysteme,
-ch. 6.
+A. A. Shabana, Dynamics of Multibody Systems, ch. 5; R. Schwertassek and O. Wallrapp, Dynamik flexibler
+Mehrkörpersysteme, ch. 6.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ def directional_mass(mass: Sparse) -> Sparse:
 def moments(block: Sparse, places: Floats, share: Floats, shapes: Floats, second: Floats) -> Moments:
     """The integrals for nodes at `places` [nodes, 3] with `shapes` [nodes, 3, n]; `share` as in `rigid_motions`.
 
-    `second` [4, 3, n, n] are the integrals of the displacements of second order: of their components, and of these times
-    x, y, z.
+    `second` [4, 3, n, n] are the integrals of the displacements of second order: of their components, and of these
+    times x, y, z.
     """
     count = shapes.shape[2]
     weights = np.asarray(block @ share)
@@ -59,11 +59,11 @@ def moments(block: Sparse, places: Floats, share: Floats, shapes: Floats, second
         inertia1=_inertia(first + first.swapaxes(0, 1)),
         inertia2=_inertia(together + together.swapaxes(0, 1)),
         H=np.einsum("iab,abk->ik", PERMUTATION, first),
-        H2=np.einsum("iab,ablk->ilk", PERMUTATION, together),
+        H2=np.einsum("iab,ablk->ilk", PERMUTATION, both),
     )
 
 
 def _inertia(products: Floats) -> Floats:
     """tr(P) 1 - P of the integrals P of r r' [3, 3, ...]."""
     trace = np.einsum("ii...->...", products)
-    return np.multiply.outer(np.eye(3), trace) - products
+    return np.asarray(np.multiply.outer(np.eye(3), trace) - products)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from lagdsl.exchange.flexible.body import Body
+import numpy as np
+
+from lagdsl.exchange.flexible.body import Body, arrays
 from lagdsl.exchange.flexible.deck import read_deck
 from lagdsl.exchange.flexible.endings import is_data
 from lagdsl.exchange.flexible.files import InputFile, read_file
@@ -43,7 +45,10 @@ def body_text(path: Path, reading: Reading, sink: Sink, name: str | None = None)
     """The text of the body in a file, formatted; None after errors. The class has the name `name`, or that of the
     file."""
     try:
-        body, files = _body(path, reading, sink)
+        with np.errstate(all="ignore"):  # numbers that overflow are told below
+            body, files = _body(path, reading, sink)
+        if not all(np.isfinite(values).all() for values in arrays(body)):
+            raise Refused("E1220", None, name=path.name)
     except Refused as refusal:
         sink.report(refusal.code, refusal.span, help=refusal.help, **refusal.arguments)
         return None

@@ -1,9 +1,9 @@
 """Craig and Bampton's reduction of a free body: R. R. Craig and M. C. C. Bampton, AIAA J. 6 (1968) 1313.
 
 Interfaces are sets of nodes that a rigid motion of a point ties together. The first one is held: the six rigid motions,
-which the floating frame carries, are those of this interface and leave the reduced body. The basis has the static shapes
-of the other interfaces and the modes with all of them held; the modes of both together, with the first interface held,
-are orthogonal in both matrices.
+which the floating frame carries, are those of this interface and leave the reduced body. The basis has the static
+shapes of the other interfaces and the modes with all of them held; the modes of both together, with the first interface
+held, are orthogonal in both matrices.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ class Interface:
 class Reduction:
     """Modes of a body that is held at its first interface, lowest frequency first.
 
-    `shapes` [nodes, 3, n] has 1 as its largest displacement of each mode; `mass` [n] and `stiffness` [n] are the diagonal
-    matrices; `motions` [interfaces, 6, n] the displacements and turns of the interfaces. `response` solves the static
-    equations of the whole body for loads [unknowns, k].
+    `shapes` [nodes, 3, n] has 1 as its largest displacement of each mode; `mass` [n] and `stiffness` [n] are the
+    diagonal matrices; `motions` [interfaces, 6, n] the displacements and turns of the interfaces. `response` solves the
+    static equations of the whole body for loads [unknowns, k].
     """
 
     shapes: Floats
@@ -107,7 +107,8 @@ def reduced(
 
 
 def _ties(places: Floats, interfaces: Sequence[Interface]) -> tuple[Sparse, int]:
-    """All displacements by those of the inner nodes and the motions of all interfaces but the first; how many are inner."""
+    """All displacements by those of the inner nodes and the motions of all interfaces but the first; how many are
+    inner."""
     count = len(places)
     owner = np.full(count, -1)
     for k, interface in enumerate(interfaces):
@@ -175,4 +176,4 @@ def _scales(shapes: Floats) -> Floats:
     largest = np.linalg.norm(shapes, axis=1).max(axis=0)
     flat = shapes.reshape(-1, count)
     sizes = np.round(np.abs(flat) / np.abs(flat).max(axis=0), 6)
-    return largest * np.sign(flat[np.argmax(sizes, axis=0), np.arange(count)])
+    return np.asarray(largest * np.sign(flat[np.argmax(sizes, axis=0), np.arange(count)]))

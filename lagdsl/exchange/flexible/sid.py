@@ -1,7 +1,7 @@
 """Standard Input Data of flexible bodies: O. Wallrapp, Mech. Struct. Mach. 22 (1994) 283.
 
-The file is a tree of blocks, `name` to `end name`, of lines `key = value`. A Taylor matrix has its order and size, and its
-elements: `m0(row, column)`, and the derivatives by the modes `m1(row, mode, column)`.
+The file is a tree of blocks, `name` to `end name`, of lines `key = value`. A Taylor matrix has its order and size, and
+its elements: `m0(row, column)`, and the derivatives by the modes `m1(row, mode, column)`.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Taylor:
 
 @record(kw_only=True)
 class Sid:
-    """The body: its mass, the number of its modes, its matrices and those of its nodes by their names in the standard."""
+    """The body: its mass, the number of its modes, its matrices and those of its nodes by their names in the file."""
 
     file: SourceFile
     mass: float
@@ -163,7 +163,9 @@ def _into(drafts: dict[str, _Draft], name: str, line: _Line, known: dict[str, tu
         raise Refused("E1201", line.span, what="the line", text=line.key[:40], expected="an element of a matrix")
     cells = [cell.strip() for cell in found[2].split(",")]
     if found[1] == "mn" or len(cells) != (2 if found[1] == "m0" else 3) or not all(cell.isdigit() for cell in cells):
-        raise Refused("E1201", line.span, what="the element", text=line.key[:40], expected="`m0(i, j)` or `m1(i, k, j)`")
+        raise Refused(
+            "E1201", line.span, what="the element", text=line.key[:40], expected="`m0(i, j)` or `m1(i, k, j)`"
+        )
     place = tuple(int(cell[:LONGEST]) for cell in cells)
     sizes = [draft.header.get(key, 0) for key in (("nrow", "ncol") if found[1] == "m0" else ("nrow", "nq", "ncol"))]
     if not all(1 <= index <= size for index, size in zip(place, sizes, strict=True)):

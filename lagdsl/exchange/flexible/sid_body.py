@@ -70,8 +70,8 @@ def _is_definite(matrix: Floats) -> bool:
 
 
 def _moments(sid: Sid, matrix: dict[str, Taylor], metre: float) -> Moments:
-    """The integrals about the mass center. Amplitudes are lengths of the file, so that shapes keep their numbers. A file
-    without derivatives of Cr or Oe tells no terms of second order, and there are none about the mass center."""
+    """The integrals about the mass center. Amplitudes are lengths of the file, so that shapes keep their numbers. A
+    file without derivatives of Cr or Oe tells no terms of second order, and there are none about the mass center."""
     count = sid.modes
     half = sid.matrices.get("Oe")
     by_rates = None if half is None else _tensor(half.m0)

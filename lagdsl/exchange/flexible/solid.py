@@ -36,7 +36,10 @@ def solid_body(deck: Deck, matrices: Matrices, names: Sequence[str], modes: int,
     stiffness, mass = matrices.stiffness / metre, matrices.mass / metre
     _check_free(stiffness, rigid_motions(places, share), matrices)
     block = directional_mass(mass)
-    small = reduced(stiffness, mass, places, share, interfaces, modes)
+    try:
+        small = reduced(stiffness, mass, places, share, interfaces, modes)
+    except (np.linalg.LinAlgError, ValueError):  # SciPy: a matrix that is singular, or has numbers that are not finite
+        raise Refused("E1213", None) from None
     loads = _unit_loads(mass, places, share, interfaces)
     if no_stiffening(deck) is None:
         moved = small.response(loads).reshape(len(places), 3, -1)

@@ -23,7 +23,7 @@ _AT_ONCE = 200
 
 @record(kw_only=True)
 class _Group:
-    """Elements of one kind: their nodes [elements, nodes of one] as places in the matrices, and constants [elements]."""
+    """Elements of one kind: their nodes [elements, nodes of one] as places in the matrices, and constants."""
 
     kind: str
     reduced: bool
@@ -43,8 +43,8 @@ def no_stiffening(deck: Deck) -> str | None:
 
 
 def geometric_stiffness(deck: Deck, order: dict[int, int], places: Floats, shapes: Floats, loaded: Floats) -> Floats:
-    """The matrices [loads, n, n] on `shapes` [nodes, 3, n] for the static displacements `loaded` [nodes, 3, loads], in the
-    units of the deck. `order` has the place of each node. Raises Refused, E1210, for an element without volume."""
+    """The matrices [loads, n, n] on `shapes` [nodes, 3, n] for the static displacements `loaded` [nodes, 3, loads].
+    `order` has the place of each node. Raises Refused, E1210, for an element without volume."""
     total = np.zeros((loaded.shape[2], shapes.shape[2], shapes.shape[2]))
     for group in _groups(deck, order):
         found = rule(group.kind, group.reduced)
@@ -53,7 +53,9 @@ def geometric_stiffness(deck: Deck, order: dict[int, int], places: Floats, shape
         jacobians = np.einsum("gnj,eni->egij", found.derivatives, corners)
         volumes = np.linalg.det(jacobians) * found.weights
         if not (volumes > 0).all():
-            raise Refused("E1210", None, name=deck.file.name, reason="an element has no volume, or its nodes turn the wrong way")
+            raise Refused(
+                "E1210", None, name=deck.file.name, reason="an element has no volume, or its nodes turn the wrong way"
+            )
         gradients = np.einsum("gnj,egji->egni", found.derivatives, np.linalg.inv(jacobians))
         slopes = np.einsum("egni,enak->egkai", gradients, shapes[group.nodes])
         strains = np.einsum("egni,enaL->egLai", gradients, loaded[group.nodes])

@@ -17,8 +17,8 @@ DIGITS = 10
 NOISE = 1e-9
 """Of the largest element of an array: a smaller one is a rounding error of the solvers, and is written as zero."""
 _OWN = (
-    "n m com I M K D S H I1 I2 S2 H2 r shape turn shape2 r_a shape_a turn_a shape2_a beta eta floating frame_a frame_b a b c J h w "
-    "element change wire wire_r wire_shape Lag"
+    "n m com I M K D S H I1 I2 S2 H2 r shape turn shape2 r_a shape_a turn_a shape2_a beta eta floating frame_a frame_b "
+    "a b c J h w element change wire wire_r wire_shape Lag"
 )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter, defaultdict
 
 import numpy as np
@@ -55,7 +56,7 @@ def _thinned(edges: list[tuple[int, int]]) -> list[tuple[int, int]]:
     found = []
     for chain in chains:
         kept = [*chain[:-1:step], chain[-1]]
-        found += list(zip(kept, kept[1:], strict=False))
+        found += list(itertools.pairwise(kept))
     return found[: 4 * MOST_SEGMENTS]
 
 

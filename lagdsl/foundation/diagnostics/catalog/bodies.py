@@ -10,7 +10,9 @@ ROWS: dict[str, Row] = {
         "cannot read `{name}`: {reason}", help="give the path of an input deck, `.inp`, or of a `.SID_FEM` file"
     ),
     "E1201": error("{what} is `{text}`, not {expected}", label="this line", help=_CORRECT),
-    "E1202": error("the file ends, or a new part of it begins, before {what}", label="here", help="write the file anew"),
+    "E1202": error(
+        "the file ends, or a new part of it begins, before {what}", label="here", help="write the file anew"
+    ),
     "E1203": error("`{name}` has no {what}", help="write the file anew, with everything that the import needs"),
     "E1204": error("{what} has more than {limit} {unit}", label="beyond the bound", help="import a coarser body"),
     "E1205": error(
@@ -37,15 +39,19 @@ ROWS: dict[str, Row] = {
     "E1212": error("the matrices have no unknown of node {node} in direction {direction}", help=_FREE),
     "E1213": error(
         "the stiffness is singular: a part of the body moves without strain while the interfaces are held",
-        help="join loose parts, give each interface three nodes beside one line, and use elements without modes of zero "
-        "energy: one row of C3D20R has them, C3D8I and C3D20 have none",
+        help="join loose parts, give each interface three nodes beside one line, and use elements without modes of "
+        "zero energy: one row of C3D20R has them, C3D8I and C3D20 have none",
     ),
-    "E1214": error("{modes} modes are more than the {most} unknowns between the interfaces", help="ask for fewer `--modes`"),
+    "E1214": error(
+        "{modes} modes are more than the {most} unknowns between the interfaces", help="ask for fewer `--modes`"
+    ),
     "E1215": error(
         "the mass matrix is {reason}",
         help="give every element a density, and write consistent masses of solid elements",
     ),
-    "E1216": error("the interface `{name}` {reason}", help="give each interface a set of nodes on a surface of its own"),
+    "E1216": error(
+        "the interface `{name}` {reason}", help="give each interface a set of nodes on a surface of its own"
+    ),
     "E1217": error(
         "the unit of length of `{name}` is not known: the file does not tell it",
         help="tell it: `--length-unit m`, `cm` or `mm`; forces are in N, so a file in mm has masses in tonnes",
@@ -57,5 +63,9 @@ ROWS: dict[str, Row] = {
     "E1219": error(
         "`{name}` needs two interfaces at least: frame_a, frame_b",
         help="name them with `--interface`; the file has {known}",
+    ),
+    "E1220": error(
+        "the numbers of `{name}` are too large or too small to compute with",
+        help="check the units of the file, and `--length-unit`",
     ),
 }

@@ -36,7 +36,9 @@ from lagdsl.interfaces.cli.output import require_ending, require_writable, write
         show_default=True,
         help="Robots. Inputs: those of the file (of every joint if it declares none), of all joints, none.",
     ),
-    click.option("--floating", is_flag=True, help="Robots. Let the base move freely; default: it is fixed to the world."),
+    click.option(
+        "--floating", is_flag=True, help="Robots. Let the base move freely; default: it is fixed to the world."
+    ),
     click.option(
         "--lenient", is_flag=True, help="Robots. Replace or leave out what the language cannot express, with warnings."
     ),
@@ -44,7 +46,7 @@ from lagdsl.interfaces.cli.output import require_ending, require_writable, write
         "--root",
         type=PATH,
         metavar="DIR",
-        help="Robots. One more folder that names in FILE may lead to; default: its package, or the parent of its folder.",
+        help="Robots. One more folder that names in FILE may lead to; default: its package, or the folder around.",
     ),
 )
 @group(
