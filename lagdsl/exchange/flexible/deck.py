@@ -61,8 +61,8 @@ INNER = 3
 
 @record(kw_only=True)
 class Deck:
-    """What the import reads of a deck; sets by their names in capitals. `elastic` is Young's modulus and Poisson's
-    ratio of each element, by its number."""
+    """The parts of a deck that the import reads; sets by their names in capitals. `elastic` is Young's modulus and
+    Poisson's ratio of each element, by its number."""
 
     file: SourceFile
     nodes: dict[int, tuple[float, float, float]]

@@ -1,4 +1,4 @@
-"""Which files are flexible bodies; without the packages that read them."""
+"""The endings of files of flexible bodies; without the packages that read them."""
 
 from __future__ import annotations
 

@@ -10,12 +10,12 @@ from lagdsl.exchange.flexible.body import Body, arrays
 from lagdsl.exchange.flexible.deck import read_deck
 from lagdsl.exchange.flexible.endings import is_data
 from lagdsl.exchange.flexible.files import InputFile, read_file
+from lagdsl.exchange.flexible.geometric_stiffness import no_stiffening
 from lagdsl.exchange.flexible.matrices import read_matrices
 from lagdsl.exchange.flexible.refusal import Refused
 from lagdsl.exchange.flexible.sid import read_sid
 from lagdsl.exchange.flexible.sid_body import sid_body
 from lagdsl.exchange.flexible.solid import solid_body
-from lagdsl.exchange.flexible.stiffening import no_stiffening
 from lagdsl.exchange.flexible.text import Provenance, body_model
 from lagdsl.exchange.model_text.identifiers import TAKEN, model_name
 from lagdsl.foundation.diagnostics import Sink

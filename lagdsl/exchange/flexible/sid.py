@@ -25,7 +25,7 @@ _SHAPES: dict[str, tuple[int, int]] = {"mdCM": (3, 1), "J": (3, 3), "Ct": (-1, 3
 _SHAPES |= {"Ke": (-1, -1), "De": (-1, -1), "Oe": (-1, 6)}
 _NODE_SHAPES = {"origin": (3, 1), "phi": (3, -1), "psi": (3, -1), "AP": (3, 3)}
 _UNREAD = frozenset({"Gr", "Ge", "ksigma", "sigma"})
-"""What follows from other matrices, and stresses, which no motion depends on."""
+"""Matrices that follow from others, and stresses, which no motion depends on."""
 
 
 @record(kw_only=True)

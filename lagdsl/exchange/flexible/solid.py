@@ -10,11 +10,11 @@ import numpy as np
 
 from lagdsl.exchange.flexible.body import Body, Floats, Moments, Station, central, six
 from lagdsl.exchange.flexible.deck import INNER, Deck, unknown
+from lagdsl.exchange.flexible.geometric_stiffness import geometric_stiffness, no_stiffening
 from lagdsl.exchange.flexible.matrices import Matrices, Sparse
 from lagdsl.exchange.flexible.moments import directional_mass, moments
 from lagdsl.exchange.flexible.reduction import Interface, Reduction, reduced, rigid_motions
 from lagdsl.exchange.flexible.refusal import Refused, end_span
-from lagdsl.exchange.flexible.stiffening import geometric_stiffness, no_stiffening
 from lagdsl.exchange.flexible.wire import wire
 
 _RIGID = 1e-7

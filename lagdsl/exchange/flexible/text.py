@@ -24,7 +24,7 @@ _OWN = (
 
 @record(kw_only=True)
 class Provenance:
-    """Where a body comes from: lines of words, and the name of the file that the class names."""
+    """The origin of a body: lines of words, and the name of the file that the class names."""
 
     origin: str
     lines: tuple[str, ...]

@@ -11,7 +11,7 @@ from lagdsl.foundation.record import record
 
 @record(kw_only=True)
 class RobotOptions:
-    """How a robot is written."""
+    """Choices for a robot."""
 
     limits: Literal["range", "contact", "none"]
     actuators: Literal["file", "all", "none"]
@@ -30,7 +30,7 @@ class RobotOptions:
 
 @record(kw_only=True)
 class BodyOptions:
-    """How a flexible body is read."""
+    """Choices for a flexible body."""
 
     interfaces: tuple[str, ...]
     length_unit: Literal["m", "cm", "mm"] | None

@@ -1,4 +1,4 @@
-"""The model text of a flexible body."""
+"""The model texts of files of other tools."""
 
 from __future__ import annotations
 
@@ -7,6 +7,37 @@ from pathlib import Path
 from typing import Literal
 
 from lagdsl.foundation.diagnostics import Sink
+
+
+def import_robot(
+    path: Path | str,
+    *,
+    limits: Literal["range", "contact", "none"] = "range",
+    actuators: Literal["file", "all", "none"] = "file",
+    floating: bool = False,
+    lenient: bool = False,
+    folder: Path | str = ".",
+    root: Path | str | None = None,
+    sink: Sink | None = None,
+) -> str:
+    """The text of the model of a robot, from its URDF or MJCF file: for `lagdsl.compile`, or to write to a file.
+
+    `limits` of joints become ranges of their coordinates, contacts, or nothing. `actuators`: the inputs are those of
+    the file (of every joint where the file tells none), those of `all` joints, or `none`. With `floating` the base
+    moves freely, by a quaternion; else it is fixed to the world. With `lenient` parts that the language has no place
+    for, or that no body can have, are left out with a warning. `folder` is that of the text, from which it names files
+    of meshes. Names in the robot's file lead to its package, or else to the parent of its folder, and to `root`. Notes
+    and warnings go to `sink`. Raises CompilationFailed with the lines of the file that stand in the way.
+    """
+    from lagdsl.exchange.robots.plan import Style
+    from lagdsl.exchange.robots.read import robot_text
+
+    own = Sink() if sink is None else sink
+    style = Style(limits=limits, actuators=actuators, floating=floating)
+    text = robot_text(Path(path), style, own, Path(folder), lenient, None if root is None else Path(root))
+    own.raise_if_errors()
+    assert text is not None, "internal error: the import gave up without saying why"
+    return text
 
 
 def import_body(
