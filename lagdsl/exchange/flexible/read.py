@@ -14,7 +14,7 @@ from lagdsl.exchange.flexible.geometric_stiffness import no_stiffening
 from lagdsl.exchange.flexible.matrices import read_matrices
 from lagdsl.exchange.flexible.refusal import Refused
 from lagdsl.exchange.flexible.sid import read_sid
-from lagdsl.exchange.flexible.sid_body import sid_body
+from lagdsl.exchange.flexible.sid_body import no_second_order, sid_body
 from lagdsl.exchange.flexible.solid import solid_body
 from lagdsl.exchange.flexible.text import Provenance, body_model
 from lagdsl.exchange.model_text.identifiers import TAKEN, model_name
@@ -68,15 +68,21 @@ def _body(path: Path, reading: Reading, sink: Sink) -> tuple[Body, tuple[InputFi
     if is_data(path):
         sid = read_sid(file.source)
         names = _interfaces(reading, path, [str(node) for node in sid.nodes])
-        return sid_body(sid, names, metre), (file,)
+        body = sid_body(sid, names, metre)
+        _tell(no_second_order(sid), sink)
+        return body, (file,)
     deck = read_deck(file.source)
     names = _interfaces(reading, path, sorted(deck.node_sets))
     matrices = read_matrices(path, reading.matrices)
     body = solid_body(deck, matrices, names, reading.modes, metre)
-    reason = no_stiffening(deck)
+    _tell(no_stiffening(deck), sink)
+    return body, (file, *matrices.files)
+
+
+def _tell(reason: str | None, sink: Sink) -> None:
+    """N1218 for a body that does not stiffen."""
     if reason is not None:
         sink.report("N1218", None, reason=reason)
-    return body, (file, *matrices.files)
 
 
 def _interfaces(reading: Reading, path: Path, known: list[str]) -> tuple[str, ...]:

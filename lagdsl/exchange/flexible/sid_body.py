@@ -55,6 +55,14 @@ def sid_body(sid: Sid, names: Sequence[str], metre: float) -> Body:
     )
 
 
+def no_second_order(sid: Sid) -> str | None:
+    """The reason for which a file does not tell the displacements of second order; None if it does."""
+    for name in ("Ct", "Oe"):
+        if name not in sid.matrices or sid.matrices[name].m1 is None:
+            return f"{name} has no derivatives by the modes"
+    return None
+
+
 def _needed(sid: Sid, matrices: dict[str, Taylor], name: str, owner: str) -> Taylor:
     if name not in matrices:
         raise Refused("E1203", None, name=sid.file.name, what=f"{owner}{name}")
