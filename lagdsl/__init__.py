@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from lagdsl.interfaces.api.check import check
     from lagdsl.interfaces.api.compile import compile
     from lagdsl.interfaces.api.fit import Fit
-    from lagdsl.interfaces.api.import_robot import import_robot
+    from lagdsl.interfaces.api.imports import import_body, import_robot
     from lagdsl.interfaces.api.model import Model
     from lagdsl.interfaces.api.trajectory import Trajectory
     from lagdsl.motion.sessions.many import Sessions
@@ -42,7 +42,8 @@ _HOMES = {
     "check": "lagdsl.interfaces.api.check",
     "compile": "lagdsl.interfaces.api.compile",
     "control": "lagdsl.motion.simulate.control",
-    "import_robot": "lagdsl.interfaces.api.import_robot",
+    "import_body": "lagdsl.interfaces.api.imports",
+    "import_robot": "lagdsl.interfaces.api.imports",
     "load_ipython_extension": "lagdsl.interfaces.notebook.extension",
     "unload_ipython_extension": "lagdsl.interfaces.notebook.extension",
 }
@@ -64,6 +65,7 @@ __all__ = [
     "check",
     "compile",
     "control",
+    "import_body",
     "import_robot",
 ]
 

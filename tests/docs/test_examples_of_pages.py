@@ -88,7 +88,7 @@ def test_examples_of_the_page(page: str, tmp_path: Path, monkeypatch: pytest.Mon
                 model(block)
             case "python":
                 exec(compile(block.text, page, "exec"), names)
-            case "xml":
+            case "xml" | "text":
                 written(block)
             case "console":
                 shown = session(block.text)

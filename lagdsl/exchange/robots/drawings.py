@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import assert_never
 
+from lagdsl.exchange.model_text.numbers import angle, array, number, quantity
 from lagdsl.exchange.robots.description import Box, Capsule, Cylinder, Mesh, Pose, Sphere, Visual
 from lagdsl.exchange.robots.mesh_faults import MeshFault
-from lagdsl.exchange.robots.numbers import angle, array, number, quantity
 from lagdsl.exchange.robots.plan import Plan, frame_of
 from lagdsl.foundation.meshes.files import is_drawable, place_of
 from lagdsl.foundation.meshes.triangles import MeshError

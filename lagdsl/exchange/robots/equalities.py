@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from lagdsl.exchange.model_text.numbers import number, quantity
 from lagdsl.exchange.robots.description import Equality
-from lagdsl.exchange.robots.numbers import number, quantity
 from lagdsl.exchange.robots.plan import Plan, coordinate_of
 from lagdsl.exchange.robots.relations import difference, sum_of, unit_of
 from lagdsl.exchange.robots.servos import unit_along

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from collections.abc import Iterator
 from itertools import count
 
+from lagdsl.exchange.model_text.identifiers import TAKEN, identifier
 from lagdsl.exchange.robots.findings import Findings
 from lagdsl.foundation.source import Span
-from lagdsl.language.semantics.scope.prelude import CONSTANTS, TYPES
 
-_WORDS = "end if then elseif else for loop when elsewhen equation and or not true false in world time der Lag"
 _OURS = "Body Revolute Prismatic Spherical FreeQuaternion Planar Weld FixedTranslation"
-_TAKEN = frozenset([*_WORDS.split(), *_OURS.split(), *TYPES, *CONSTANTS])
-_LONGEST = 150
+_TAKEN = TAKEN.union(_OURS.split())
 
 
 class Names:
@@ -41,18 +37,3 @@ class Names:
         for number in count(self._numbers.get((plain, kind), 2)):
             self._numbers[plain, kind] = number
             yield f"{plain}_{kind}_{number}"
-
-
-def identifier(original: str, kind: str) -> str:
-    """ASCII letters, digits and `_`, as the language has them, with the look of the original."""
-    letters = unicodedata.normalize("NFKD", original).encode("ascii", "ignore").decode("ascii")
-    plain = re.sub(r"[^A-Za-z0-9_]", "_", letters)[:_LONGEST]
-    if not re.search(r"[A-Za-z0-9]", plain):
-        return kind
-    return plain if not plain[0].isdigit() else f"{kind}_{plain}"
-
-
-def model_name(original: str) -> str:
-    """`my-first robot` becomes `MyFirstRobot`."""
-    words = re.findall(r"[A-Za-z0-9]+", identifier(original, "robot"))
-    return "".join(word[:1].upper() + word[1:] for word in words)[:_LONGEST]

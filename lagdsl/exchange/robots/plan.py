@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, TypeAlias, get_args
 
+from lagdsl.exchange.model_text.identifiers import model_name
 from lagdsl.exchange.robots.actuators import effort_of
 from lagdsl.exchange.robots.description import Actuator, Equality, Joint, JointKind, Link, Robot, Servo, Tendon
 from lagdsl.exchange.robots.findings import Findings
-from lagdsl.exchange.robots.names import Names, model_name
+from lagdsl.exchange.robots.names import Names
 from lagdsl.exchange.robots.tree import WORLD
 from lagdsl.foundation.record import record
 
@@ -63,7 +64,7 @@ class Plan:
 def planned(robot: Robot, style: Style, findings: Findings) -> Plan:
     """Names that are free, for everything that the text names."""
     names = Names(findings)
-    model = names.of(model_name(robot.name), "robot")
+    model = names.of(model_name(robot.name, "robot"), "robot")
     links = {link.name: _link_name(link, robot, style, names) for link in robot.links if not link.is_between}
     links.setdefault(WORLD, "world")
     joints = {joint.name: names.of(joint.name, "joint", joint.span) for joint in robot.every_joint}

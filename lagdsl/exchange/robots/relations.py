@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from lagdsl.exchange.model_text.numbers import array, number, quantity
 from lagdsl.exchange.robots.description import ZERO, Joint, Link, Mimic
-from lagdsl.exchange.robots.numbers import array, number, quantity
 from lagdsl.exchange.robots.plan import COORDINATES, Plan, coordinate_of, frame_of, is_body
 
 _AXES = "xyz"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from lagdsl.exchange.model_text.numbers import number, quantity
 from lagdsl.exchange.robots.description import Affine, Bounds, Joint, Tendon, Way
-from lagdsl.exchange.robots.numbers import number, quantity
 from lagdsl.exchange.robots.plan import NamedServo, Plan, coordinate_of
 from lagdsl.exchange.robots.relations import difference, friction, sum_of
 

@@ -7,10 +7,10 @@ from itertools import groupby
 from pathlib import Path
 from typing import assert_never
 
+from lagdsl.exchange.model_text.numbers import angle, array, number, quantity, vector
 from lagdsl.exchange.robots.description import ZERO, Actuator, Joint, JointKind, Link, Pose, Vector
 from lagdsl.exchange.robots.drawings import drawings
 from lagdsl.exchange.robots.equalities import equalities
-from lagdsl.exchange.robots.numbers import angle, array, number, quantity, vector
 from lagdsl.exchange.robots.plan import Plan, Role, is_body
 from lagdsl.exchange.robots.relations import acting, energies, lifts
 from lagdsl.exchange.robots.servos import activations, servo_inputs, servos, tendons

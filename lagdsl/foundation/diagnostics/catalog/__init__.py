@@ -6,6 +6,7 @@ and `engines`, which has E0911 to E0914."""
 from lagdsl.foundation.diagnostics.catalog import (
     analysis,
     assembly,
+    bodies,
     constraints,
     dimensions,
     engines,
@@ -38,6 +39,7 @@ ROWS: dict[str, Row] = {
     **settings.ROWS,
     **robots.ROWS,
     **fits.ROWS,
+    **bodies.ROWS,
 }
 
 __all__ = ["ROWS", "Row"]
