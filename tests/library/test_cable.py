@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
-from math import asinh, pi, sqrt
+from math import asinh, sqrt
 
 import numpy as np
 import pytest
@@ -53,7 +53,7 @@ def _catenary() -> tuple[float, float]:
 
 def test_a_catenary_sags_with_more_than_fourth_order() -> None:
     errors = []
-    for n in (2, 4):
+    for n in (4, 8):
         model = lagdsl.compile(f"""
 model Catenary
   import Lag.Planar.*;
@@ -69,8 +69,8 @@ end Catenary;
 """)
         low, pull = _told(model)[:2]
         errors.append(abs(low / _catenary()[0] - 1))
-    assert pull == pytest.approx(np.hypot(_catenary()[1], 1e-3 * G_N / 4), rel=2e-2)  # 1/4 m from the lowest point
-    assert errors[1] < 2e-3
+    assert pull == pytest.approx(np.hypot(_catenary()[1], 1e-3 * G_N / 8), rel=5e-3)  # 1/8 m from the lowest point
+    assert errors[1] < 1e-5
     assert errors[0] / errors[1] > 2**4
 
 
