@@ -20,7 +20,10 @@ from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.admissible import EXACT_INTEGERS
+from lagdsl.language.flat.event_flow import branches
+from lagdsl.language.flat.events import Check
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.spans import around
 from lagdsl.language.flat.spans import place as where
 from lagdsl.motion.signals.inputs import Signals
 from lagdsl.motion.signals.trajectory import Statistics, Trajectory
@@ -97,6 +100,7 @@ class Motion:
         found = self._check_outputs(self._so_far(self._task.finer, whole=True))
         self._tell_rounded(found)
         self._tell_doubted()
+        self._tell_warnings(found)
         tell_one_sided(self._run, self._task.sink)
         return found
 
@@ -136,6 +140,21 @@ class Motion:
         """u (nu,) of a row at time t."""
         u = self._asked.signals.at(t)
         return u if self._asked.controls is None else self._asked.controls.at(t, u)
+
+    def _tell_warnings(self, found: Trajectory) -> None:
+        """W0888 for each assertion that warned, with the first time and how often it began to."""
+        flat = self._asked.flat
+        checks = [a for branch in branches(flat) for a in branch.actions if isinstance(a, Check)]
+        times: dict[str, list[float]] = {}
+        for event in found.events:
+            if event.kind == "warning":
+                times.setdefault(event.name, []).append(event.time)
+        for text, begun in times.items():
+            items = [item for item in (*flat.assertions, *checks) if item.warning and item.message == text]
+            often = "" if len(begun) == 1 else f" (the first of {len(begun)} times)"
+            self._task.sink.report(
+                "W0888", where(items[0]), *around(items[0]), time=time_text(begun[0]), text=text, often=often
+            )
 
     def _tell_doubted(self) -> None:
         """W0886 for each relation that turned by what may be the error of the method."""
@@ -222,7 +241,9 @@ class Motion:
         else:
             name = report_fault(course, status, fault, self._inputs_at(fault.t), sink)
         values = state_values(asked.flat, fault.x)
-        raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
+        found = self._so_far()
+        self._tell_warnings(found)
+        raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, found)
 
     def _tell_progress(self) -> None:
         if self._task.progress is None:
