@@ -52,7 +52,14 @@ def test_the_motion_goes_on_and_tells_each_entering() -> None:
 
 
 def test_something_else_is_no_level() -> None:
-    text = 'model M\n  coordinate Length x;\n  mass 1 kg at {x, 0};\n  gravity = 0;\nequation\n  assert(x < 1 m, "a", 3);\nend M;'
-    found = lagdsl.check(text)
+    found = lagdsl.check("""
+model M
+  coordinate Length x;
+  mass 1 kg at {x, 0};
+  gravity = 0;
+equation
+  assert(x < 1 m, "a", 3);
+end M;
+""")
     assert [d.code for d in found if d.severity == "error"] == ["E0312"]
     assert "AssertionLevel.warning" in found[0].message
