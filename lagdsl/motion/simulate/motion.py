@@ -22,7 +22,7 @@ from lagdsl.foundation.record import record
 from lagdsl.language.flat.admissible import EXACT_INTEGERS
 from lagdsl.language.flat.event_flow import branches
 from lagdsl.language.flat.events import Check
-from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.model import Assertion, FlatModel
 from lagdsl.language.flat.spans import around
 from lagdsl.language.flat.spans import place as where
 from lagdsl.motion.signals.inputs import Signals
@@ -145,12 +145,13 @@ class Motion:
         """W0888 for each assertion that warned, with the first time and how often it began to."""
         flat = self._asked.flat
         checks = [a for branch in branches(flat) for a in branch.actions if isinstance(a, Check)]
+        watched: list[Assertion | Check] = [*flat.assertions, *checks]
         times: dict[str, list[float]] = {}
         for event in found.events:
             if event.kind == "warning":
                 times.setdefault(event.name, []).append(event.time)
         for text, begun in times.items():
-            items = [item for item in (*flat.assertions, *checks) if item.warning and item.message == text]
+            items = [item for item in watched if item.warning and item.message == text]
             often = "" if len(begun) == 1 else f" (the first of {len(begun)} times)"
             self._task.sink.report(
                 "W0888", where(items[0]), *around(items[0]), time=time_text(begun[0]), text=text, often=often
