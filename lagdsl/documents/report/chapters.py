@@ -12,8 +12,8 @@ from lagdsl.derivation.textbook.familiar import Familiar
 from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright, bold
 from lagdsl.documents.report.boxes import Number as Digits
 from lagdsl.documents.report.document import Block, Code, Equation, Equations, Heading, Inline, Paragraph, Table, text
-from lagdsl.documents.report.families import rolled
 from lagdsl.documents.report.notation import dotted
+from lagdsl.documents.report.sections.families import rolled
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.language.flat.expression import FlatExpression, Number, Variable
 from lagdsl.language.flat.expression_text import flat_expression_text

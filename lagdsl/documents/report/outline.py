@@ -36,9 +36,9 @@ from lagdsl.documents.report.document import (
     Text,
     text,
 )
-from lagdsl.documents.report.families import rolled
 from lagdsl.documents.report.names import letters_note, own_name, owned_statement, statement
 from lagdsl.documents.report.notation import Notation, notation
+from lagdsl.documents.report.sections.families import rolled
 from lagdsl.documents.report.sections.in_symbols import in_symbols
 from lagdsl.documents.report.sections.instants import event_list
 from lagdsl.documents.report.sections.system import machine

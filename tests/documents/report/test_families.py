@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import lagdsl
-from lagdsl.documents.report.families import rolled
+from lagdsl.documents.report.sections.families import rolled
 
 BEAM = """model Many
   Lag.Flexible.ExactBeam beam(n = 64, L = 1 m, A = 1 cm^2, I = 100 mm^4);
