@@ -12,7 +12,7 @@ from math import cos, radians, sin
 
 import numpy as np
 import pytest
-from choice import repeats
+from choice import chosen, repeats
 
 import lagdsl
 
@@ -74,7 +74,7 @@ def test_a_thick_cantilever_bends_much() -> None:
     assert (4 * fine - coarse) / 3 == pytest.approx(LARGE, rel=1e-4)
 
 
-@pytest.mark.parametrize(("n", "shortening", "deflection"), LINEAR)
+@pytest.mark.parametrize(("n", "shortening", "deflection"), chosen(LINEAR, LINEAR[2:]))
 def test_a_thick_cantilever_bends_a_little(n: int, shortening: float, deflection: float) -> None:
     assert _told(_thick(n), F=62.5e3) == pytest.approx([shortening, deflection], rel=1e-4)
 
@@ -95,7 +95,11 @@ end Thick;
 
 
 @pytest.mark.parametrize(
-    ("load", "exudyn"), [(8.896, [-0.0143664, -0.0089529, 0.1089703]), (13.345, [-0.0303357, -0.0155488, 0.1565214])]
+    ("load", "exudyn"),
+    chosen(
+        [(8.896, [-0.0143664, -0.0089529, 0.1089703]), (13.345, [-0.0303357, -0.0155488, 0.1565214])],
+        [(13.345, [-0.0303357, -0.0155488, 0.1565214])],
+    ),
 )
 def test_the_princeton_beam_at_45_degrees(load: float, exudyn: list[float]) -> None:
     """16 elements there and 8 here: half a percent of discretisation."""

@@ -7,6 +7,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
+from choice import chosen
 from scipy.optimize import brentq
 from scipy.special import ellipeinc, ellipkinc
 
@@ -43,7 +44,7 @@ EI = 210e9 * 100e-12
 
 def test_a_moment_rolls_the_exact_beam_up_to_a_circle() -> None:
     """M = 2 pi EI/L: J. C. Simo and L. Vu-Quoc, Comput. Methods Appl. Mech. Eng. 58 (1986) 79, section 5.1."""
-    model = _exact(8)
+    model = _exact(4)
     found = model.trim(parameters={"M": 2 * pi * EI / 2})
     x, y, q = np.split(found.point.q, 3)
     assert np.hypot(x[-1], y[-1]) < 1e-10 and q[-1] == pytest.approx(2 * pi, abs=1e-10)
@@ -69,12 +70,12 @@ def test_the_exact_beam_meets_the_elastica_with_second_order() -> None:
     alpha = 4.0
     deflection, distance = _elastica(alpha)
     errors = []
-    for n in (2, 4, 8):
+    for n in (2, 4):
         beam = f"ExactBeam beam(L = 2 m, A = 1 cm^2, I = 1 mm^4, n = {n})"  # shears and stretches by 1e-8 only
         found = _clamped(beam).trim(parameters={"F": alpha * 210e9 * 1e-12 / 4})
         x, y, _ = np.split(found.point.q, 3)
         errors.append(np.hypot(x[-1] / 2 - distance, y[-1] / 2 - deflection))
-    assert errors[-1] < 5e-3
+    assert errors[-1] < 2e-2
     assert np.log2(np.array(errors[:-1]) / errors[1:]) == pytest.approx(2, abs=0.15)
 
 
@@ -129,7 +130,9 @@ def test_damping_is_that_of_the_first_mode(kind: str) -> None:
     assert -slowest.real / abs(slowest) == pytest.approx(0.03 * abs(slowest) / first, rel=1e-4)
 
 
-@pytest.mark.parametrize(("speed", "flapping"), [(0, 3.5160), (3, 4.7973), (6, 7.3604), (10, 11.2023)])
+@pytest.mark.parametrize(
+    ("speed", "flapping"), chosen([(0, 3.5160), (3, 4.7973), (6, 7.3604), (10, 11.2023)], [(3, 4.7973), (10, 11.2023)])
+)
 def test_a_rotating_beam_stiffens(speed: float, flapping: float) -> None:
     """A. D. Wright, C. E. Smith, R. W. Thresher and J. L. C. Wang, J. Appl. Mech. 49 (1982) 197, table 1: out of the
     plane of rotation. In the plane the square of the frequency is less by that of the speed."""

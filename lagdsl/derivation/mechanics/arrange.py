@@ -168,7 +168,7 @@ def observed(equations: Equations) -> dict[str, list[Block]]:
     rates = _scalars(equations, flat.states, [state.derivative for state in flat.states])
     outputs = _scalars(equations, flat.outputs, [output.value for output in flat.outputs])
     invariants = _scalars(equations, flat.invariants, [invariant.value for invariant in flat.invariants])
-    conditions = _scalars(equations, flat.assertions, [assertion.condition for assertion in flat.assertions])
+    conditions = _scalars(equations, flat.assertions, [assertion.value for assertion in flat.assertions])
     initial = _scalars(equations, flat.initial_equations, [item.residual for item in flat.initial_equations])
     return {
         "state_derivative": [vector_block("zd", rates)],

@@ -298,7 +298,7 @@ class Pass:
         }
         scalar = self._lowering.scalar
         failing = [
-            self._both(flag, self._graph.unary(Op.NOT, scalar(action.condition)))
+            self._fails(flag, self._graph.unary(Op.NOT, scalar(action.condition)), action.warning)
             for flag, action in acting[Check]
             if isinstance(action, Check)
         ]
@@ -353,6 +353,11 @@ class Pass:
     def _acts(self, branch: Branch, action: Action) -> int:
         firing = self._firing[id(branch)]
         return firing if action.guard is None else self._both(firing, self._lowering.scalar(action.guard))
+
+    def _fails(self, flag: int, broken: int, warning: bool) -> int:
+        """1 for a failure, -1 for a warning."""
+        both = self._both(flag, broken)
+        return self._graph.unary(Op.NEGATE, both) if warning else both
 
     def _both(self, one: int, two: int) -> int:
         return self._graph.binary(Op.AND, one, two)

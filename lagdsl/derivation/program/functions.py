@@ -144,7 +144,7 @@ FUNCTIONS: tuple[Signature, ...] = (
         "monitor",
         SOLVED,
         "invariant[ni] scale[ni] assertion[na]",
-        "invariants; largest absolute term of each; conditions of assertions",
+        "invariants; largest absolute term of each; of assertions 1 where they hold, else 0, of warnings -1",
     ),
     _function("initial_equation", SOLVED, "residual[ne]", "residuals of the initial equations"),
     _function("constraint_tangent", (*STATE, *DIRECTIONS), "phi[nc] residual[nc]", "dphi, d(J qd + b)"),

@@ -79,7 +79,7 @@ def equations_of(flat: FlatModel, table: Symbols, parts: Contributions) -> Equat
             MonitoredValue(name=i.name, value=converter.scalar(i.value), terms=_terms(converter, parts, i.value))
             for i in flat.invariants
         ),
-        assertions=tuple(converter.scalar(assertion.condition) for assertion in flat.assertions),
+        assertions=tuple(converter.scalar(assertion.value) for assertion in flat.assertions),
         initial_equations=tuple(converter.scalar(equation.residual) for equation in flat.initial_equations),
         start=dict(zip(table.q, (converter.scalar(start) for start, _ in starts), strict=True))
         | dict(zip(table.qd, (converter.scalar(rate) for _, rate in starts), strict=True))

@@ -3,7 +3,6 @@ and the equations of motion in numbers where the motion starts. Like links of a 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import assert_never
 
@@ -14,10 +13,12 @@ from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, R
 from lagdsl.documents.report.boxes import Number as Digits
 from lagdsl.documents.report.document import Block, Code, Equation, Equations, Heading, Inline, Paragraph, Table, text
 from lagdsl.documents.report.notation import dotted
+from lagdsl.documents.report.sections.families import rolled
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.language.flat.expression import FlatExpression, Number, Variable
 from lagdsl.language.flat.expression_text import flat_expression_text
 from lagdsl.language.flat.model import (
+    Definition,
     FlatModel,
     Frame,
     FrameStep,
@@ -28,11 +29,12 @@ from lagdsl.language.flat.model import (
     RotateQuaternion,
     SetAxes,
 )
+from lagdsl.language.flat.traversal import postorder
 from lagdsl.motion.pipeline import Compilation, compile_flat
 
 _MOST = 16
 _LARGEST_MATRIX = 8
-_INDEX = re.compile(r"([A-Za-z_]\w*)\[(\d+)\]")
+_LONGEST = 300
 _KINEMATICS = (
     "From the world to each frame: turns are about the axes of the frame itself, displacements along them. Rates "
     "follow from frame to frame, with the turn q about n and the way s along n:"
@@ -91,14 +93,29 @@ def energies(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
         rows.append((body.label or body.frame, _text(body.mass, zeros), place, ", ".join(shown)))
     if not rows and not flat.energies:
         return []
-    declared = [(term.kind, flat_expression_text(term.value)[:100]) for term in flat.energies]
+    declared = [(term.kind, _text(term.value, zeros)) for term in flat.energies]
     return [
         Heading("Energies"),
         Paragraph(text(_ENERGIES if rows else _DECLARED_ENERGIES)),
         *([Equations(_forms(flat, letter))] if rows else []),
         *_table(("T of", "mass", "center", "moments of inertia"), rows),
         *_table(("kind of energy", "value"), declared),
+        *_defined(familiar, zeros),
     ]
+
+
+def _defined(familiar: Familiar, zeros: frozenset[str]) -> list[Block]:
+    """The definitions that stand in the declared energies, and those in these."""
+    values = {item.name: item.value for item in familiar.flat.named if isinstance(item, Definition)}
+    waiting = [term.value for term in familiar.flat.energies]
+    met: set[str] = set()
+    while waiting:
+        names = {node.name for node in postorder(waiting.pop(), {}) if isinstance(node, Variable)}
+        new = {name for name in names - met if name in values}
+        met |= new
+        waiting += [values[name] for name in new]
+    rows = [(name, _text(value, zeros)) for name, value in values.items() if name in met]
+    return _table(("definition", "value"), rows)
 
 
 def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...]:
@@ -178,8 +195,11 @@ def _text(expression: FlatExpression, zeros: frozenset[str]) -> str:
         return "0"
     if isinstance(expression, Number):
         return f"{expression.value:.6g}"
-    words = flat_expression_text(expression)
-    return words if len(words) <= 100 else words[:99] + "…"
+    return flat_expression_text(expression)
+
+
+def _cut(words: str) -> str:
+    return words if len(words) <= _LONGEST else words[: _LONGEST - 1] + "…"
 
 
 def _table(header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[Block]:
@@ -188,30 +208,6 @@ def _table(header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[Blo
         return []
     shown = rolled(rows)
     more = len(shown) - _MOST
-    cells: list[tuple[Inline, ...]] = [tuple((Code(c),) if c else () for c in row) for row in shown[:_MOST]]
+    cells: list[tuple[Inline, ...]] = [tuple((Code(_cut(c)),) if c else () for c in row) for row in shown[:_MOST]]
     blocks: list[Block] = [Table(header, tuple(cells))]
     return [*blocks, Paragraph(text(f"… and {more} more."))] if more > 0 else blocks
-
-
-def rolled(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """Rows that differ by an index k alone as one, with `[k]`, `[k-1]` and the range of k in the first cell."""
-    found: dict[tuple[str, ...], list[tuple[int, tuple[str, ...]]]] = {}
-    for row in rows:
-        first = next(filter(None, map(_INDEX.search, row)), None)
-        if first is None:
-            found.setdefault(row, []).append((0, row))
-            continue
-        array, index = first.group(1), int(first.group(2))
-        same, before = f"{array}[{index}]", f"{array}[{index - 1}]"
-        pattern = tuple(cell.replace(same, f"{array}[k]").replace(before, f"{array}[k-1]") for cell in row)
-        found.setdefault(pattern, []).append((index, row))
-    result = []
-    for pattern, members in found.items():
-        indices = [index for index, _ in members]
-        if len(members) == 1:
-            result.append(members[0][1])
-            continue
-        together = indices == list(range(indices[0], indices[-1] + 1))
-        span = f"{indices[0]}…{indices[-1]}" if together else ", ".join(str(index) for index in indices)
-        result.append((f"{pattern[0]}, k = {span}", *pattern[1:]))
-    return result

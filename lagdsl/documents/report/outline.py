@@ -38,6 +38,7 @@ from lagdsl.documents.report.document import (
 )
 from lagdsl.documents.report.names import letters_note, own_name, owned_statement, statement
 from lagdsl.documents.report.notation import Notation, notation
+from lagdsl.documents.report.sections.families import rolled
 from lagdsl.documents.report.sections.in_symbols import in_symbols
 from lagdsl.documents.report.sections.instants import event_list
 from lagdsl.documents.report.sections.system import machine
@@ -85,21 +86,16 @@ def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | N
 
 
 def _coordinates(flat: FlatModel, signs: Notation) -> list[Block]:
-    shown = flat.coordinates[:_MOST]
-    rows: list[tuple[Inline, ...]] = [
-        (
-            (Math(signs.of(Symbol(c.name))),),
-            own_name(signs.of(Symbol(c.name)), c.name),
-            text(unit_of(c)),
-            text(c.doc or ""),
-        )
-        for c in shown
-    ]
-    more = len(flat.coordinates) - len(shown)
-    blocks: list[Block] = [
-        Heading("Coordinates"),
-        Table(("coordinate", "in the model", "unit", "meaning"), tuple(rows)),
-    ]
+    likes = rolled([(c.name, unit_of(c), c.doc or "") for c in flat.coordinates])
+    header = ("coordinate", "in the model", "unit", "meaning")
+    rows: list[tuple[Inline, ...]] = []
+    for told, unit, doc in likes[:_MOST]:
+        name, many, span = told.partition(", k = ")
+        sign = signs.of(Symbol(name))
+        rows.append(((Math(sign),), own_name(sign, name), text(unit), text(doc), text(f"k = {span}" if many else "")))
+    more, spans = len(likes) - len(rows), any(row[-1][0] != Text("") for row in rows)
+    table = Table((*header, ""), tuple(rows)) if spans else Table(header, tuple(row[:-1] for row in rows))
+    blocks: list[Block] = [Heading("Coordinates"), table]
     return [*blocks, Paragraph(text(f"… and {more} more."))] if more else blocks
 
 

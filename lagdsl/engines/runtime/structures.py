@@ -26,7 +26,7 @@ def _evaluated(results: int) -> Any:
 VERSION = 10
 
 # lag_event_kind.
-_WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses"
+_WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses warning"
 WHAT = tuple(_WHAT.split())
 
 

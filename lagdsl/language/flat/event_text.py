@@ -15,6 +15,11 @@ from lagdsl.language.flat.quantity import Item
 Line = tuple[str, Item | None]
 
 
+def level_text(warning: bool) -> str:
+    """The third argument of an assertion that is a warning."""
+    return ", AssertionLevel.warning" if warning else ""
+
+
 def event_sections(events: fe.Events) -> list[tuple[str, list[Line]]]:
     """Titles and their lines; empty ones too."""
     return [
@@ -95,7 +100,7 @@ def action_text(action: fe.Action) -> str:
         case fe.Terminate():
             return f'terminate("{action.message}")'
         case fe.Check():
-            return f'assert({text_of(action.condition)}, "{action.message}")'
+            return f'assert({text_of(action.condition)}, "{action.message}"{level_text(action.warning)})'
         case _:
             assert_never(action)
 

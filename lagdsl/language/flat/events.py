@@ -236,6 +236,7 @@ class Check(Item):
 
     condition: FlatExpression
     message: str
+    warning: bool
     guard: FlatExpression | None
 
 

@@ -14,7 +14,7 @@ from lagdsl.foundation.record import record
 from lagdsl.foundation.source import Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.language.flat.events import Events
-from lagdsl.language.flat.expression import FlatExpression
+from lagdsl.language.flat.expression import Conditional, FlatExpression, Number
 from lagdsl.language.flat.quantity import Experiment, Item, Measurement, Page, Quantity, Variability
 
 
@@ -335,10 +335,17 @@ class Invariant(Item):
 
 @record(kw_only=True)
 class Assertion(Item):
-    """The simulation stops with `message` when `condition` becomes 0."""
+    """The simulation stops with `message` when `condition` becomes 0; where it is a warning, the message is told and
+    the motion goes on."""
 
     condition: FlatExpression
     message: str
+    warning: bool = False
+
+    @property
+    def value(self) -> FlatExpression:
+        """1 where the condition holds; elsewhere 0, and -1 for a warning."""
+        return Conditional(self.condition, Number(1.0), Number(-1.0)) if self.warning else self.condition
 
 
 @record(kw_only=True)

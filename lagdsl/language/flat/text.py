@@ -15,7 +15,7 @@ from lagdsl.foundation.units.naming import to_display, unit_text
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.display import display
-from lagdsl.language.flat.event_text import event_sections
+from lagdsl.language.flat.event_text import event_sections, level_text
 from lagdsl.language.flat.expression_text import flat_expression_text as text_of
 from lagdsl.language.flat.expression_text import number_text
 from lagdsl.language.flat.quantity import Experiment, Item, Measurement, Page, Quantity
@@ -249,7 +249,8 @@ def _measurement(measurement: Measurement) -> _Line:
 
 
 def _assertion(assertion: fm.Assertion) -> _Line:
-    return _Line(f'assert({text_of(assertion.condition)}, "{assertion.message}")', assertion)
+    level = level_text(assertion.warning)
+    return _Line(f'assert({text_of(assertion.condition)}, "{assertion.message}"{level})', assertion)
 
 
 def _drawing(drawing: fm.Drawing) -> _Line:

@@ -14,15 +14,15 @@ from lagdsl.language.flat import model as flat_model
 from lagdsl.language.semantics.events.whens import elaborate_when
 from lagdsl.language.semantics.items import constraints, contacts, drawings, frictions, labels, loads
 from lagdsl.language.semantics.items.bodies import rigid_body
-from lagdsl.language.semantics.operators.arithmetic import Operand, boolean
+from lagdsl.language.semantics.operators.assertions import asserted
 from lagdsl.language.semantics.operators.conditions import condition_of, structural_condition, where_active
 from lagdsl.language.semantics.operators.geometry import as_direction, as_point
 from lagdsl.language.semantics.scope.constants import structural_number
 from lagdsl.language.semantics.scope.contents import Placed
 from lagdsl.language.semantics.scope.context import Context
-from lagdsl.language.semantics.scope.naming import arguments_text, kind_of, name_span
+from lagdsl.language.semantics.scope.naming import kind_of, name_span
 from lagdsl.language.semantics.scope.scope import Scope
-from lagdsl.language.semantics.scope.values import Order, Poison, Scalar, Text
+from lagdsl.language.semantics.scope.values import Order, Poison, Scalar
 from lagdsl.language.semantics.types.dimensions import require
 from lagdsl.language.syntax import nodes
 
@@ -241,7 +241,7 @@ def _tolerance(ctx: Context, scope: Scope, node: nodes.Invariant) -> float | Non
 
 
 def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation) -> None:
-    """`assert(condition, "message")`; other calls belong into `when`."""
+    """`assert(condition, "message", level)`; other calls belong into `when`."""
     call = node.call
     if not isinstance(call, nodes.Call) or call.function.span.text != "assert":
         if (
@@ -249,20 +249,12 @@ def _call(ctx: Context, physics: Physics, scope: Scope, node: nodes.CallEquation
         ) or not isinstance(call, nodes.Call):
             ctx.sink.report("E0322", node.span, help=_equality(call))
         return
-    arguments = [part for part in call.arguments if not isinstance(part, nodes.Named)]
-    if len(arguments) != 2 or len(call.arguments) != 2:
-        ctx.sink.report("E0315", call.span, function="assert", expected=arguments_text(2), found=len(call.arguments))
-        return
-    with ctx.current.without_relations():
-        condition = boolean(ctx, Operand(arguments[0], ctx.elaborate(ctx, scope, arguments[0], False)))
-    message = ctx.elaborate(ctx, scope, arguments[1], False)
-    if not isinstance(message, Text):
-        if not isinstance(message, Poison):
-            ctx.sink.report("E0312", arguments[1].span, expected="a message in quotes", found=kind_of(message))
-        return
-    if condition is not None:
+    found = asserted(ctx, scope, call)
+    if found is not None:
         spans = (node.span, *scope.spans)
-        assertion = flat_model.Assertion(spans=spans, condition=condition.expression, message=message.value)
+        assertion = flat_model.Assertion(
+            spans=spans, condition=found.condition, message=found.message, warning=found.warning
+        )
         physics.assertions.append(assertion)
 
 

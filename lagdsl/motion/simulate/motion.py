@@ -17,7 +17,10 @@ from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.admissible import EXACT_INTEGERS
-from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.flat.event_flow import branches
+from lagdsl.language.flat.events import Check
+from lagdsl.language.flat.model import Assertion, FlatModel
+from lagdsl.language.flat.spans import around
 from lagdsl.language.flat.spans import place as where
 from lagdsl.motion.signals.inputs import Signals
 from lagdsl.motion.signals.trajectory import Statistics, Trajectory
@@ -93,6 +96,7 @@ class Motion:
         found = self._check_outputs(self._so_far(self._task.finer, whole=True))
         tell_rounded(self._asked.flat, found, self._task.sink)
         tell_doubted(self._asked.flat, self._run.doubted(len(self._asked.flat.events.relations)), self._task.sink)
+        tell_warnings(self._asked.flat, found, self._task.sink)
         tell_one_sided(self._run, self._task.sink)
         return found
 
@@ -167,7 +171,9 @@ class Motion:
         else:
             name = report_fault(course, status, fault, self._inputs_at(fault.t), sink)
         values = state_values(asked.flat, fault.x)
-        raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, self._so_far())
+        found = self._so_far()
+        tell_warnings(self._asked.flat, found, sink)
+        raise SimulationFailed(sink.diagnostics[-1], fault.t, values, name, found)
 
     def _tell_progress(self) -> None:
         assert self._task.progress is not None, "somebody listens"
@@ -239,3 +245,17 @@ def tell_rounded(flat: FlatModel, found: Trajectory, sink: Sink) -> None:
         if len(rows):
             value, time = f"{values[rows[0]]:.6g}", time_text(float(found.time[rows[0]]))
             sink.report("W0859", where(discrete), name=discrete.name, value=value, time=time)
+
+
+def tell_warnings(flat: FlatModel, found: Trajectory, sink: Sink) -> None:
+    """W0888 for each assertion that warned, with the first time and how often it began to."""
+    checks = [a for branch in branches(flat) for a in branch.actions if isinstance(a, Check)]
+    watched: list[Assertion | Check] = [*flat.assertions, *checks]
+    times: dict[str, list[float]] = {}
+    for event in found.events:
+        if event.kind == "warning":
+            times.setdefault(event.name, []).append(event.time)
+    for text, begun in times.items():
+        items = [item for item in watched if item.warning and item.message == text]
+        often = "" if len(begun) == 1 else f" (the first of {len(begun)} times)"
+        sink.report("W0888", where(items[0]), *around(items[0]), time=time_text(begun[0]), text=text, often=often)

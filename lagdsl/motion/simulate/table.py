@@ -112,6 +112,7 @@ def event_names(flat: FlatModel, layout: Layout) -> dict[str, Sequence[str]]:
         **dict.fromkeys(("opened", "closed", "impact"), contacts),
         "reinit": layout.instants.resets,
         "terminate": layout.instants.stops,
+        "warning": [*layout.assertions, *layout.instants.failures],
     }
 
 

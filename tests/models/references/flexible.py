@@ -158,3 +158,66 @@ def flexible_blade(p: Parameters, t: Floats) -> dict[str, Floats]:
 
     x = solve(rates, [np.radians(40), 0, 0, 0], t)
     return {"pin.q": x[0], "blade.eta[1]": x[1]}
+
+
+def flexible_cable(p: Parameters, t: Floats) -> dict[str, Floats]:
+    """Hermite's cubics with their mass matrix by hand; forces of Gerstmayr and Irschik at points of Gauss."""
+    count = 2
+    length, area, density = p["cord.L"], p["cord.A"], p["cord.density"]
+    l, axial, bending = length / count, p["cord.E"] * area, p["cord.E"] * area**2 / (4 * np.pi)
+    damping = 4 * p["cord.zeta"] * length / np.pi * np.sqrt(density / p["cord.E"])
+    size = np.array([1, l, 1, l])
+    own = np.array([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) * np.outer(size, size)
+    spread = np.array([1 / 2, l / 12, 1 / 2, -l / 12]) * l
+    mass, force = np.zeros((2 * count + 2, 2 * count + 2)), np.zeros((2 * count + 2, 3))
+    for i in range(count):
+        mass[2 * i : 2 * i + 4, 2 * i : 2 * i + 4] += density * area * l / 420 * own
+        force[2 * i : 2 * i + 4] += np.outer(spread, [0.0, -density * area * G_N, 0.1])
+    mass[-2, -2] += 0.05
+    force[-2, 1] -= 0.05 * G_N
+    inverse = np.linalg.inv(mass[1:, 1:])
+
+    def rule(points: int) -> tuple[Floats, Floats, Floats]:
+        """Weights, and first and second derivatives of the cubics."""
+        x, w = np.polynomial.legendre.leggauss(points)
+        x, l1 = (1 + x) / 2, np.ones(points)
+        first = np.array([6 * x**2 - 6 * x, l * (3 * x**2 - 4 * x + 1), 6 * x - 6 * x**2, l * (3 * x**2 - 2 * x)]) / l
+        second = np.array([12 * x - 6 * l1, l * (6 * x - 4), 6 - 12 * x, l * (6 * x - 2)]) / l**2
+        return w / 2 * l, first, second
+
+    stretched, bent = rule(5), rule(3)
+
+    def inner(q: Floats, v: Floats) -> Floats:
+        weight, first, _ = stretched
+        slope = first.T @ q
+        norm = np.linalg.norm(slope, axis=1)
+        rate = np.sum(slope * (first.T @ v), axis=1) / norm
+        total: Floats = first @ ((weight * axial * (norm - 1 + damping * rate) / norm)[:, None] * slope)
+        weight, first, second = bent
+        slope, bend = first.T @ q, second.T @ q
+        squared = np.sum(slope**2, axis=1)
+        turn = np.cross(slope, bend)
+        # of |slope x bend|^2 / |slope|^4 by slope and by bend
+        scale = (weight * bending / squared**2)[:, None]
+        by_slope = np.cross(bend, turn) - 2 * (np.sum(turn**2, axis=1) / squared)[:, None] * slope
+        return total + first @ (scale * by_slope) + second @ (scale * np.cross(turn, slope))
+
+    def rates(_: float, state: Floats) -> Floats:
+        q, v = np.zeros((2, 2 * count + 2, 3))
+        q[1:], v[1:] = state.reshape(2, 2 * count + 1, 3)
+        acting = force.copy()
+        for i in range(count):
+            acting[2 * i : 2 * i + 4] -= inner(q[2 * i : 2 * i + 4], v[2 * i : 2 * i + 4])
+        return np.concatenate([state[state.size // 2 :], (inverse @ acting[1:]).ravel()])
+
+    q = np.array([[1, 0, 0], [l, 0, 0], [1, 0, 0], [length, 0, 0], [1, 0, 0]], dtype=float)
+    v = np.array([[0, 0, 2], [0, 0, 1], [0, 0, 2], [0, 0, 2], [0, 0, 2]], dtype=float)
+    found = solve(rates, [*q.ravel(), *v.ravel()], t)[: q.size].reshape(*q.shape, -1)
+    root, a, sa, b, sb = found
+    middle = 1.5 * a / l - (root + sa) / 4
+    end = 1.5 * (b - a) / l - (sa + sb) / 4
+    moment = bending / l * np.cross(end, sb - sa, axis=0) / np.sum(end**2, axis=0)
+    columns = {f"cord.r[{i + 1},{k + 1}]": found[2 * i + 1][k] for i in range(count) for k in range(3)}
+    columns |= {f"cord.s[{i + 1},{k + 1}]": found[2 * i + 2][k] for i in range(count) for k in range(3)}
+    columns |= {f"bent[{k + 1}]": moment[k] for k in range(3)}
+    return {**columns, "pull": axial * (np.linalg.norm(middle, axis=0) - 1)}

@@ -67,7 +67,10 @@ def _value(body: Body, node: int, truth: bool) -> str:
 
 def _assertions(body: Body) -> Iterator[str]:
     for item, node in zip(body.flat.assertions, body.nodes.assertions, strict=True):
-        yield f"assert({body.expressions.condition(node)}, {text(item.message)});"
+        if item.warning:
+            yield f"assert({body.expressions.number(node)} > 0, {text(item.message)}, AssertionLevel.warning);"
+        else:
+            yield f"assert({body.expressions.condition(node)}, {text(item.message)});"
 
 
 def _whens(body: Body) -> Iterator[str]:
@@ -117,11 +120,11 @@ def _other(body: Body, action: Action) -> Iterator[str]:
             assert action.value is not None
             state, value = rate(name) if of_rate else quoted(name), body.expressions.number(action.value)
             yield f"reinit({state}, {value if guard is None else f'if {guard} then ({value}) else {state}'});"
-        case Check(message=message):
+        case Check(message=message, warning=warning):
             assert action.value is not None
             condition = body.expressions.condition(action.value)
             met = condition if guard is None else f"not ({guard}) or ({condition})"
-            yield f"assert({met}, {text(message)});"
+            yield f"assert({met}, {text(message)}{', AssertionLevel.warning' if warning else ''});"
         case Terminate(message=message):
             call = f"terminate({text(message)});"
             yield from [call] if guard is None else [f"if {guard} then", f"  {call}", "end if;"]

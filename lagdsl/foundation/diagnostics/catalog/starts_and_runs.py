@@ -302,6 +302,11 @@ ROWS: dict[str, Row] = {
         "explicit start rate",
         "leave one of them out, or write `fixed = true` at the one that holds",
     ),
+    "W0888": warning(
+        "at t = {time} s{often}: {text}",
+        "is false from there on",
+        "the motion goes on; check the state and the parameters, or whether the model is good for them",
+    ),
     "E0898": error(
         "{time}: `{name}` would need a past of more than 4096 pieces",
         "delayed",

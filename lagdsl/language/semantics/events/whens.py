@@ -17,6 +17,7 @@ from lagdsl.language.semantics.events.resets import resets, what_it_is
 from lagdsl.language.semantics.operators import arrays
 from lagdsl.language.semantics.operators.arguments import named_element, positional
 from lagdsl.language.semantics.operators.arithmetic import Operand, boolean
+from lagdsl.language.semantics.operators.assertions import asserted
 from lagdsl.language.semantics.operators.nested_loops import unrolled
 from lagdsl.language.semantics.scope.contents import Placed
 from lagdsl.language.semantics.scope.context import Context
@@ -202,16 +203,12 @@ class _Body:
         return None
 
     def _check(self, call: nodes.Expression, scope: Scope, spans: Spans, guard: FlatExpression | None) -> None:
-        message = self._message(call, scope, 2)
         assert isinstance(call, nodes.Call)
-        if message is None or isinstance(call.arguments[0], nodes.Named):
-            return
-        with self.ctx.current.without_relations():
-            condition = boolean(
-                self.ctx, Operand(call.arguments[0], self.ctx.elaborate(self.ctx, scope, call.arguments[0], False))
+        found = asserted(self.ctx, scope, call)
+        if found is not None:
+            check = events.Check(
+                spans=spans, condition=found.condition, message=found.message, warning=found.warning, guard=guard
             )
-        if condition is not None:
-            check = events.Check(spans=spans, condition=condition.expression, message=message, guard=guard)
             self.actions.append(check)
 
     def _impact(self, call: nodes.Expression, scope: Scope, spans: Spans, guard: FlatExpression | None) -> None:

@@ -17,7 +17,8 @@ from lagdsl.motion.simulate.islands.runs import IslandResult
 
 # Numbers of a row behind the columns: energy, residuals of positions, residuals of velocities.
 _CHECKS = 3
-# What happens to entries of which length, by kind; relations and what time changes are entries of w.
+# What happens to entries of which length, by kind; relations and what time changes are entries of w, warnings are
+# those of assertions or, behind them, of clauses.
 _HAPPENS_TO = {
     "tick": "nclock",
     **dict.fromkeys(("opened", "closed", "impact"), "ncontact"),
@@ -25,7 +26,7 @@ _HAPPENS_TO = {
     "reinit": "nreset",
 }
 _TOLD = ("nclock", None, "ncontact", "nfriction", "nreset")
-_ORDER = {kind: _TOLD.index(_HAPPENS_TO.get(kind)) for kind in (*_HAPPENS_TO, "true", "false", "jump")}
+_ORDER = {kind: _TOLD.index(_HAPPENS_TO.get(kind)) for kind in (*_HAPPENS_TO, "true", "false", "jump", "warning")}
 
 
 class MergedRows:
@@ -148,6 +149,7 @@ def _renamed(
 ) -> Iterator[tuple[float, str, int]]:
     relations = len(layout.instants.strict)
     changing = np.concatenate([island.places["nindicator"], relations + island.places["ntimed"]])
+    places = {kind: island.places[axis] for kind, axis in _HAPPENS_TO.items()}
+    places["warning"] = np.concatenate([island.places["na"], len(layout.assertions) + island.places["nfail"]])
     for t, what, which in notes:
-        own = island.places[_HAPPENS_TO[what]] if what in _HAPPENS_TO else changing
-        yield t, what, int(own[which])
+        yield t, what, int(places.get(what, changing)[which])

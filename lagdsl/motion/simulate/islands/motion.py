@@ -11,7 +11,7 @@ from lagdsl.motion.signals.trajectory import Statistics, Trajectory
 from lagdsl.motion.simulate.islands.merged import Checks, Chosen, MergedRows, merged_notes
 from lagdsl.motion.simulate.islands.pieces import Piece, Places, pieces_of
 from lagdsl.motion.simulate.islands.runs import IslandResult, Runs
-from lagdsl.motion.simulate.motion import Task, change_notes, tell_doubted, tell_rounded
+from lagdsl.motion.simulate.motion import Task, change_notes, tell_doubted, tell_rounded, tell_warnings
 from lagdsl.motion.simulate.resolution import Resolution, hidden
 from lagdsl.motion.simulate.table import Recorded, heads_of, places_of_columns, trajectory
 
@@ -49,6 +49,7 @@ class _Joined:
         found = trajectory(asked.flat, self._layout, recorded, task.initial.moved, statistics, task.finer)
         tell_rounded(asked.flat, found, task.sink)
         tell_doubted(asked.flat, self._doubted(), task.sink)
+        tell_warnings(asked.flat, found, task.sink)
         return found, turns
 
     def _recorded(self) -> Recorded:

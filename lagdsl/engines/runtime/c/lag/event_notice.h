@@ -18,7 +18,8 @@ typedef enum lag_event_kind {
     LAG_JUMP,      /* a whole number that time changes, of `floor` and its kind */
     LAG_SLIPS,     /* a friction: slip begins, */
     LAG_STICKS,    /* it ends, */
-    LAG_REVERSES   /* it changes its sense without rest */
+    LAG_REVERSES,  /* it changes its sense without rest */
+    LAG_WARNING    /* an assertion of the level of warnings does not hold any more; behind all of the model, one of a clause */
 } lag_event_kind;
 
 typedef struct lag_event_notice {

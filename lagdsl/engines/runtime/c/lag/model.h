@@ -192,8 +192,8 @@ typedef struct lag_model {
     /* t q qd z u w p -> load (nq), dissipated (nq): power of loads, Q . qd, and of dissipation, dD/dqd . qd, by coordinate [W] */
     lag_status (*power)(const lag_arguments *at, double *load, double *dissipated);
     /*
-     * t q qd z u w p qdd lam -> invariant (ni), scale (ni), assertion (na): invariants; largest absolute term of each; conditions
-     * of assertions
+     * t q qd z u w p qdd lam -> invariant (ni), scale (ni), assertion (na): invariants; largest absolute term of each; of
+     * assertions 1 where they hold, else 0, of warnings -1
      */
     lag_status (*monitor)(const lag_arguments *at, double *invariant, double *scale, double *assertion);
     /* t q qd z u w p qdd lam -> residual (ne): residuals of the initial equations */

@@ -182,8 +182,10 @@ static lag_status act(lag_event_iteration *iteration, double t, double *x, int *
 {
     const lag_model *model = iteration->motion->model;
     lag_status status = LAG_OK;
-    for (size_t i = 0; i < model->nfail; ++i) {
-        if (iteration->clauses.fail[i] != 0.0) {
+    for (size_t i = 0; i < model->nfail && status == LAG_OK; ++i) {
+        if (iteration->clauses.fail[i] < 0.0) {
+            status = lag_event_iteration_report(iteration, t, x, LAG_WARNING, model->na + i);
+        } else if (iteration->clauses.fail[i] > 0.0) {
             iteration->clauses.fault = i;
             return LAG_ASSERTION_FAILED;
         }

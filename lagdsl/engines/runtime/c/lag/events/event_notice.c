@@ -25,6 +25,8 @@ const char *lag_event_notice_name(const lag_model *model, const lag_event_notice
         return model->resets[which];
     case LAG_TERMINATE:
         return model->stops[which];
+    case LAG_WARNING:
+        return which < model->na ? model->assertions[which] : model->failures[which - model->na];
     case LAG_BEFORE:
     case LAG_AFTER:
         break;
@@ -36,7 +38,7 @@ const char *lag_event_kind_name(lag_event_kind what)
 {
     static const char *const names[] = {
         "before", "tick", "true", "false", "opened", "closed", "impact", "reinit", "terminate", "after", "jump",
-        "slips", "sticks", "reverses",
+        "slips", "sticks", "reverses", "warning",
     };
     return (size_t)what < sizeof names / sizeof names[0] ? names[what] : "";
 }

@@ -7,7 +7,7 @@
 
 size_t lag_conditions_memory(const lag_model *model)
 {
-    return 2 * model->ni + model->na;
+    return 2 * model->ni + 2 * model->na;
 }
 
 /* The scale of invariant i, with the present state. */
@@ -68,6 +68,27 @@ static lag_status evaluate(lag_conditions *watch, double t, const double *x, con
     return status == LAG_OK ? watch->motion->model->monitor(&watch->motion->at, watch->value, watch->scale, watch->held) : status;
 }
 
+lag_status lag_conditions_assert(const lag_conditions *watch)
+{
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < watch->motion->model->na && status == LAG_OK; ++i) {
+        status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
+    }
+    return status;
+}
+
+size_t lag_conditions_warning(lag_conditions *watch, size_t from)
+{
+    const size_t na = watch->motion->model->na;
+    size_t i = from;
+    for (int found = 0; i < na && !found; i += !found) {
+        const double before = watch->warned[i];
+        watch->warned[i] = watch->held[i] < 0.0 ? 1.0 : 0.0;
+        found = watch->warned[i] > before;
+    }
+    return i;
+}
+
 lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x, const double *xd)
 {
     const lag_model *model = watch->motion->model;
@@ -75,9 +96,7 @@ lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x
         return LAG_OK;
     }
     lag_status status = is_known(watch, t, x) ? LAG_OK : evaluate(watch, t, x, xd);
-    for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
-        status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
-    }
+    status = status == LAG_OK ? lag_conditions_assert(watch) : status;
     for (size_t i = 0; i < model->ni && !watch->begun; ++i) {
         watch->start[i] = watch->value[i];
     }
@@ -87,6 +106,19 @@ lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x
     }
     if (status == LAG_OK) {
         lag_conditions_count(watch);
+    }
+    return status;
+}
+
+/* Tells each warning that begins at x at time t. */
+static lag_status warn(lag_run *run, double t, const double *x)
+{
+    lag_conditions *watch = &run->conditions;
+    const size_t na = watch->tolerance == NULL ? 0 : run->motion.model->na;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < na && status == LAG_OK; ++i) {
+        i = lag_conditions_warning(watch, i);
+        status = i < na ? lag_event_iteration_report(&run->instants.iteration, t, x, LAG_WARNING, i) : LAG_OK;
     }
     return status;
 }
@@ -102,5 +134,5 @@ lag_status lag_run_watch(lag_run *run, double t, const double *x, const double *
             return told == LAG_OK ? status : told;
         }
     }
-    return status;
+    return status == LAG_OK ? warn(run, t, x) : status;
 }

@@ -18,13 +18,23 @@ typedef struct lag_conditions {
     double *start, *size, *drift; /* (ni) values at the start; largest scales and departures so far */
     const double *tolerance;      /* (ni) allowed departure, as a part of the scale; null: not watched */
     double *value, *scale, *held; /* (ni) (ni) (na) */
+    double *warned;               /* (na) 1: it does not hold, and that was told */
 } lag_conditions;
 
-/* Doubles for `value`, `scale` and `held`. */
+/* Doubles for `value`, `scale`, `held` and `warned`. */
 size_t lag_conditions_memory(const lag_model *model);
 
 /* Looks at the state x at time t, where the rates are xd; null: not known. LAG_VIOLATED: the state does not count. */
 lag_status lag_conditions_check(lag_conditions *watch, double t, const double *x, const double *xd);
+
+/*
+ * The first assertion from number `from` on that is a warning, does not hold where the watch looked last, and held before; na: there is none. Each is
+ * found once.
+ */
+size_t lag_conditions_warning(lag_conditions *watch, size_t from);
+
+/* LAG_VIOLATED: an assertion does not hold where the watch looked last, and is no warning. */
+lag_status lag_conditions_assert(const lag_conditions *watch);
 
 /* Lets the state that was evaluated last count all the same: nothing follows. */
 void lag_conditions_count(lag_conditions *watch);

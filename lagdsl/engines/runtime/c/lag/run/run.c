@@ -52,6 +52,7 @@ static void place_watch(lag_run *run, const lag_model *model, double **memory)
     run->conditions.value = lag_take(memory, lag_conditions_memory(model));
     run->conditions.scale = run->conditions.value + ni;
     run->conditions.held = run->conditions.scale + ni;
+    run->conditions.warned = run->conditions.held + model->na;
 }
 
 static lag_status report_event(void *context, const lag_event_notice *notice)

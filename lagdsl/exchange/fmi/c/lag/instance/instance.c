@@ -40,17 +40,19 @@ static size_t doubles(const lag_fmu *fmu)
 {
     const size_t size = lag_motion_size(fmu->model);
     return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) +
-           fmu->model->ny + fmu->model->nd + fmu->model->nc + fmu->model->ni +
+           fmu->model->ny + fmu->model->nd + fmu->model->nc + fmu->model->ni + fmu->model->na + fmu->model->nfail +
            lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
 }
 
-/* Remembers which `terminate` acted. */
-static lag_status record_terminate(void *context, lag_run *run, const lag_event_notice *notice)
+/* Remembers which `terminate` acted, and warnings. */
+static lag_status record_event(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;
     (void)run;
     if (notice->what == LAG_TERMINATE) {
         instance->held.ending = notice->which;
+    } else if (notice->what == LAG_WARNING) {
+        instance->warnings[notice->which] = 1.0;
     }
     return LAG_OK;
 }
@@ -64,7 +66,7 @@ static lag_run_options options_of(lag_instance *instance)
     lag_run_options options = lag_instance_plan();
     options.tolerance = held->integration;
     options.p = instance->p;
-    options.callbacks = (lag_run_callbacks){.context = instance, .tell = record_terminate};
+    options.callbacks = (lag_run_callbacks){.context = instance, .tell = record_event};
     options.sizes = fmu->sizes;
     options.lasting = fmu->lasting;
     options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
@@ -105,6 +107,7 @@ static void lay_out(lag_instance *instance, double *memory)
     instance->scratch.tangent = lag_take(&memory, size);
     instance->scratch.entry = lag_take(&memory, longest(fmu));
     instance->invariant_limits = lag_take(&memory, model->ni);
+    instance->warnings = lag_take(&memory, model->na + model->nfail);
     instance->starts.written = (unsigned char *)lag_take(&memory, size);
     instance->scratch.initial = lag_take(&memory, lag_initial_memory(model));
     instance->scratch.fixed = lag_take(&memory, lag_fixed_memory(size));

@@ -42,6 +42,8 @@ typedef struct lag_known {
 size_t lag_instance_size(const lag_fmu *fmu);
 lag_instance *lag_instance_place(void *block, const lag_fmu *fmu);
 const char *lag_instance_message(const lag_instance *instance);
+/* The next message of an assertion that warns, each once; null: there is none. */
+const char *lag_instance_warning(lag_instance *instance);
 
 /* ---- variables: values of one variable, (count) of it; Booleans are 0 and 1, Integers whole numbers ---- */
 

@@ -113,6 +113,7 @@ struct lag_instance {
     lag_values values;
     lag_derivatives derivatives;
     double *invariant_limits; /* (ni) */
+    double *warnings;         /* (na + nfail) 1: to be told */
     lag_instance_scratch scratch;
     char message[LAG_MESSAGE];
 };

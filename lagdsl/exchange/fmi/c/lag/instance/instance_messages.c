@@ -136,6 +136,18 @@ static words words_of(const lag_instance *instance, lag_status status, char *row
     }
 }
 
+const char *lag_instance_warning(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    for (size_t i = 0; i < model->na + model->nfail; ++i) {
+        if (instance->warnings[i] != 0.0) {
+            instance->warnings[i] = 0.0;
+            return i < model->na ? model->assertions[i] : model->failures[i - model->na];
+        }
+    }
+    return NULL;
+}
+
 lag_status lag_instance_judge(lag_instance *instance, lag_status status)
 {
     char rows[LAG_MESSAGE] = "";

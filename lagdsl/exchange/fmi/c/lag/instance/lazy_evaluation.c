@@ -173,8 +173,12 @@ lag_status lag_instance_assert(lag_instance *instance, double t, const double *x
     if (status == LAG_OK) {
         status = model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held);
     }
+    status = status == LAG_OK ? lag_conditions_assert(watch) : status;
     for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
-        status = watch->held[i] == 0.0 ? LAG_VIOLATED : LAG_OK;
+        i = lag_conditions_warning(watch, i);
+        if (i < model->na) {
+            instance->warnings[i] = 1.0;
+        }
     }
     return status;
 }

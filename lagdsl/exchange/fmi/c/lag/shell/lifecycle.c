@@ -77,6 +77,7 @@ lag_answer lag_shell_exit_initialization(lag_shell *shell)
         return answer;
     }
     const lag_status status = lag_instance_begin(shell->instance);
+    lag_shell_warn(shell);
     if (status != LAG_OK) {
         return lag_shell_failed(shell, status);
     }
@@ -113,6 +114,7 @@ lag_answer lag_shell_update(lag_shell *shell, lag_update *told)
 {
     *told = (lag_update){.next = (double)INFINITY};
     const lag_status status = lag_instance_update(shell->instance, told);
+    lag_shell_warn(shell);
     if (status != LAG_OK) {
         return lag_shell_failed(shell, status);
     }

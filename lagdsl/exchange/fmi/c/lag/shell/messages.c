@@ -65,6 +65,13 @@ void lag_shell_note(lag_shell *shell, const char *format, ...)
     va_end(arguments);
 }
 
+void lag_shell_warn(lag_shell *shell)
+{
+    for (const char *text = lag_instance_warning(shell->instance); text != NULL; text = lag_instance_warning(shell->instance)) {
+        (void)lag_shell_say(shell, LAG_ANSWER_WARNING, "t = %.10g s: %s", shell->now.time, text);
+    }
+}
+
 int lag_shell_lacks(lag_shell *shell, int missing, const char *argument)
 {
     if (missing) {

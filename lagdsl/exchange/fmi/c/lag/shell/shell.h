@@ -118,6 +118,9 @@ void lag_shell_release(const lag_shell *shell, void *memory);
 
 /* Tells and returns the answer; `format` as that of printf. */
 lag_answer lag_shell_say(lag_shell *shell, lag_answer answer, const char *format, ...);
+/* Tells assertions that warn, and began to since the last call. */
+void lag_shell_warn(lag_shell *shell);
+
 /* For debug logging. */
 void lag_shell_note(lag_shell *shell, const char *format, ...);
 /* Reports an error that names the argument if `missing` is true. */

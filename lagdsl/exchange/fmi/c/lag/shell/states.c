@@ -100,6 +100,7 @@ lag_answer lag_shell_completed(lag_shell *shell, int *events, int *terminate)
     *events = 0;
     *terminate = 0;
     const lag_status status = lag_instance_completed(shell->instance, events, terminate);
+    lag_shell_warn(shell);
     if (status == LAG_OK && *terminate) {
         shell->now.ended = 1;
         lag_shell_note(shell, "the model ends the simulation at %.17g s", shell->now.time);

@@ -83,6 +83,7 @@ lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *bet
         return LAG_ANSWER_OK;
     }
     const lag_status status = proceed(shell, t + h, between, outcome);
+    lag_shell_warn(shell);
     if (status != LAG_OK) {
         const lag_answer answer = lag_shell_judge(shell, status);
         shell->now.mode = answer == LAG_ANSWER_DISCARD ? LAG_MODE_STEP_FAILED : LAG_MODE_FAILED;
