@@ -64,7 +64,9 @@ def view_of(stage: Stage) -> View:
 def _solid(stage: Stage) -> Floats:
     """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture."""
     rows = np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int))
-    parts = [part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "rail", "trace"))]
+    parts = [
+        part for row in rows.tolist() for part in parts_of(stage, row, without=("ground", "rail", "track", "trace"))
+    ]
     found = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
     found += [part.points for part in parts if isinstance(part, Ribbon)]
     placed = any(
