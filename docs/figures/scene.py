@@ -80,6 +80,13 @@ RULES: dict[str, tuple[str, tuple[float, ...]]] = {
         (0.0, 0.2, 0.35, 0.6, 0.8),
     ),
     "force": (f"{_PENDULUM} {_BOB} mass 1 kg at P; force {{5 N, 2 N}} at P;", ()),
+    "support": (f"{_PENDULUM} {_BOB} mass 1 kg at P; point R = P + {{0.5 m, 0}}; mass 1 kg at R;", ()),
+    "circuit": (
+        "import Lag.Electrical.*; VoltageSource source(v = 10 V); Resistor R1(R = 10 Ohm); Inductor L1(L = 1 H);"
+        "Capacitor C1(C = 10 mF); Ground ground; connect(source.p, R1.p); connect(R1.n, L1.p); connect(L1.n, C1.p);"
+        "connect(source.n, C1.n, ground.p);",
+        (0.1,),
+    ),
     "gauge": (
         "coordinate Angle phi(start = 50 deg); coordinate Length s(start = 0.2 m); gravity = 0;"
         "kinetic T = 0.5*(1 kg.m2)*der(phi)^2 + 0.5*(1 kg)*der(s)^2;",

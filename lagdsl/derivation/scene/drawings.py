@@ -29,8 +29,8 @@ def is_symbol(drawing: fm.Drawing) -> bool:
 
 
 def is_mass_centre(drawing: fm.Drawing) -> bool:
-    """True for the ball of no size that a component draws at a point."""
-    return is_symbol(drawing) and drawing.shape == "sphere" and drawing.place == "at"
+    """True for the ball or ring of no size that a component draws at a point."""
+    return is_symbol(drawing) and drawing.shape in ("sphere", "circle") and drawing.place == "at"
 
 
 def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
@@ -39,6 +39,8 @@ def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
     for role, value in drawing.arguments:
         if isinstance(value, str):
             texts[role] = value
+        elif role == "teeth" and isinstance(value, fx.Number):
+            texts[role] = f"{value.value:.0f}"
         elif role == "axis":
             numbers[role] = columns.vector(_in_world(value, drawing.anchors[0]))
         elif is_vector(value):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 
@@ -21,6 +22,7 @@ FINE, COARSE = 24, 12
 _TUBE = 7
 _TURNS, _STEPS_OF_A_TURN = 8, 12
 _SPOKES = 5
+_PEN = 0.02  # half the width of a stroke of a symbol
 _GROUND = 1.3  # of the machine: the length of what it stands on
 
 
@@ -129,6 +131,58 @@ def _hatched(depth: float, long: float) -> Floats:
     return np.concatenate([line, *strokes])
 
 
+def _gear(teeth: int) -> Floats:
+    """Of pitch radius 1, a tooth at x; inner teeth for numbers below zero. Depths of DIN 867: 1 and 1.25 modules."""
+    count, module = abs(teeth), 2.0 / abs(teeth)
+    inner = teeth < 0
+    tip, root = (1.0 - module, 1.0 + 1.25 * module) if inner else (1.0 + module, 1.0 - 1.25 * module)
+    turns = (np.arange(count)[:, None] + np.array([-0.34, -0.12, 0.12, 0.34])).ravel() * 2.0 * np.pi / count
+    radii = np.tile([root, tip, tip, root], count)
+    rim = radii[:, None] * np.column_stack([np.cos(turns), np.sin(turns)])
+    if not inner:
+        return prism(rim, -0.5, 0.5)
+    outside = (1.1 + 1.25 * module) * np.column_stack([np.cos(turns), np.sin(turns)])
+    loops = [np.column_stack([each, np.full(len(each), z)]) for each, z in
+             ((rim, -0.5), (outside, -0.5), (outside, 0.5), (rim, 0.5), (rim, -0.5))]  # fmt: skip
+    points = np.array([np.vstack([loop, loop[:1]]) for loop in loops])
+    return np.asarray(_net(points))
+
+
+def _drawn(*lines: Sequence[tuple[float, float]]) -> Floats:
+    """A symbol in the plane y = 0: lines through points (x, z), as bars."""
+    bars = []
+    for (x, z), (to_x, to_z) in (pair for line in lines for pair in pairwise(line)):
+        length = math.hypot(to_x - x, to_z - z)
+        bar = block((-0.5 * _PEN, length + 0.5 * _PEN), (-_PEN, _PEN), (-_PEN, _PEN))
+        c, s = (to_x - x) / length, (to_z - z) / length
+        bars.append(bar @ np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]]) + np.array([x, 0.0, z]))
+    return np.concatenate(bars)
+
+
+def _arc(radius: float, z: float, begin: float, end: float, steps: int) -> list[tuple[float, float]]:
+    """About (0, z), from one angle to another, that 0 being the direction of x."""
+    return [(radius * math.cos(a), z + radius * math.sin(a)) for a in np.linspace(begin, end, steps + 1)]
+
+
+_LEADS = [((0.0, 0.0), (0.0, 0.25)), ((0.0, 0.75), (0.0, 1.0))]
+_ROUND = _arc(0.25, 0.5, 0.0, 2.0 * np.pi, 24)
+_COILS = [point for k in range(4) for point in _arc(0.0625, 0.3125 + 0.125 * k, -np.pi / 2, np.pi / 2, 6)[k > 0 :]]
+_SYMBOLS: dict[str, Sequence[Sequence[tuple[float, float]]]] = {
+    "resistor": [*_LEADS, [(-0.1, 0.25), (0.1, 0.25), (0.1, 0.75), (-0.1, 0.75), (-0.1, 0.25)]],
+    "inductor": [*_LEADS, _COILS],
+    "capacitor": [
+        ((0.0, 0.0), (0.0, 0.43)),
+        ((0.0, 0.57), (0.0, 1.0)),
+        *(((-0.25, z), (0.25, z)) for z in (0.43, 0.57)),
+    ],
+    "voltage source": [((0.0, 0.0), (0.0, 1.0)), _ROUND],
+    "current source": [*_LEADS, _ROUND, ((-0.25, 0.5), (0.25, 0.5))],
+    "electric machine": [*_LEADS, _ROUND, [(-0.1, 0.38), (-0.1, 0.62), (0.0, 0.46), (0.1, 0.62), (0.1, 0.38)]],
+    "earth": [((0.0, 0.0), (0.0, 0.3)), *(((-w, z), (w, z)) for w, z in ((0.25, 0.3), (0.16, 0.38), (0.07, 0.46)))],
+}
+"""IEC 60617, in a cell from z = 0 to z = 1."""
+
+
 def _marks() -> Floats:
     """On both faces of a drum, so that one sees it turn."""
     plates = [block((0.15, 0.85), (-0.05, 0.05), z) for z in ((0.5, 0.52), (-0.52, -0.5))]
@@ -163,13 +217,16 @@ _MAKERS: dict[str, Callable[[int], Floats]] = {
 }
 
 
-FORMS = frozenset(_MAKERS)
+FORMS = frozenset({*_MAKERS, *_SYMBOLS})
 
 
 @cache
 def form(name: str, around: int = FINE) -> Floats:
-    """Faces (n, 4, 3) of a unit body."""
-    return _MAKERS[name](around)
+    """Faces (n, 4, 3) of a unit body; a gear has the number of its teeth behind its name."""
+    if name in _SYMBOLS:
+        return _drawn(*_SYMBOLS[name])
+    kind, _, teeth = name.partition(" of ")
+    return _gear(int(teeth)) if kind == "gear" else _MAKERS[name](around)
 
 
 @cache

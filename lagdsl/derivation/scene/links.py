@@ -13,8 +13,11 @@ from lagdsl.derivation.scene.machine import (
     HELD,
     WORLD,
     Machine,
+    anchors_of,
     constant,
     evaluator_at,
+    fixed,
+    frames_in,
     movers_of,
     number,
     places,
@@ -185,7 +188,7 @@ def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name
     others = [float(side) for side in sides if abs(side) > HELD]
     toward = 1.0 if any(side < 0.0 for side in others) and not any(side > 0.0 for side in others) else -1.0
     room = min((abs(side) for side in others), default=max(_ROOM * abs(start), _WALL if start == 0.0 else 0.0))
-    wall = fx.Vector(*(fx.Number(round(float(part), 9) + 0.0) for part in zero + toward * room * move))
+    wall = fixed(zero + toward * room * move)
     return wall, point
 
 
@@ -280,9 +283,11 @@ def _is_on_circle(
 def arms(machine: Machine) -> Iterator[Shape]:
     """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world, and to a
     frame with a position of its own, only where the distance is held. The place that a `draw` statement writes down
-    belongs to its shape, and has none."""
+    belongs to its shape, and has none; nor has a frame between whose points the same text draws."""
     at = machine.positions
     places = set(_written(machine.flat))
+    lines = {(name, each.spans[1:]) for each in machine.flat.drawings if each.place == "between"
+             for anchor in anchors_of(each) for name in frames_in(machine, anchor)}  # fmt: skip
     known = {
         _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
         for drawing in machine.flat.drawings
@@ -291,11 +296,14 @@ def arms(machine: Machine) -> Iterator[Shape]:
     for item in machine.flat.named:
         if not isinstance(item, fm.Frame) or item.image is not None or item.name in places:
             continue
+        if {(item.name, item.spans[1:]), (item.parent, item.spans[1:])} & lines:
+            continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
         ends = [each.vector(end) for each in at for end in (parent, own)]
         lengths = np.linalg.norm(np.array(ends[1::2]) - np.array(ends[::2]), axis=1)
         held = np.ptp(lengths) <= HELD * lengths.max()
-        builds = item.parent != "world" and not _is_placed(item)
+        moves = movers_of(machine, parent) | movers_of(machine, fx.FrameAxis(item.parent, 0))
+        builds = moves and not _is_placed(item)
         if lengths.min() > HELD and (held or builds) and _ends(ends) not in known:
             known.add(_ends(ends))
             yield between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
+import numpy as np
+
+from lagdsl.derivation.scene.circuits import circuits
 from lagdsl.derivation.scene.drawings import drawn, is_mass_centre, is_symbol
 from lagdsl.derivation.scene.links import arms, rods, ropes, springs
 from lagdsl.derivation.scene.looks import dressed
 from lagdsl.derivation.scene.machine import machine_of
 from lagdsl.derivation.scene.masses import bodies, have_inertia, levers, masses
-from lagdsl.derivation.scene.shapes import Columns, Scene, Shape
-from lagdsl.derivation.scene.surroundings import frames, gauges, grounds, is_planar, loads, tracks
+from lagdsl.derivation.scene.shapes import Columns, Scene
+from lagdsl.derivation.scene.surroundings import frames, gauges, grounds, is_planar, loads, supports, tracks
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.language.flat import expression as fx
@@ -65,14 +68,19 @@ def scene_of(flat: fm.FlatModel) -> Scene:
         ellipsoids = have_inertia(flat)
         seen = [each for each in flat.drawings if not (each in centres and each.spans[1:] in ellipsoids)]
         flat = replace(flat, drawings=tuple(seen))
-    shapes: list[Shape] = [drawn(drawing, columns) for drawing in seen]
     machine = machine_of(flat, columns)
+    shapes = [drawn(each, columns) for each in seen if not is_symbol(each) or not machine.is_hidden(each)]
     shapes += levers(machine, centres)
     for rule in (masses, bodies, springs, ropes, rods, arms, grounds, tracks, loads, gauges, frames):
         if not (has_meshes and rule is arms):
             shapes += rule(machine)
     planar = is_planar(machine, shapes)
-    return Scene(shapes=dressed(shapes, planar), columns=tuple(columns.expressions), planar=planar)
+    up = np.array([0.0, 1.0, 0.0] if planar else [0.0, 0.0, 1.0]) if machine.down is None else -machine.down
+    solid = dressed(shapes, planar)
+    solid += dressed(supports(machine, solid, up), planar)
+    scene = Scene(shapes=solid, columns=tuple(columns.expressions), planar=planar)
+    diagram = tuple(circuits(machine, scene, np.array([0.0, 1.0, 0.0]) if planar else up))
+    return Scene(shapes=(*scene.shapes, *diagram), columns=tuple(columns.expressions), planar=planar)
 
 
 def _starts_as_parameters(

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from types import MappingProxyType
 
 from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
 
 COLORS: Mapping[str, str] = {
     "spring": "#0d9488", "damper": "#7c3aed", "mass": "#2563eb", "body": "#3b82f6", "box": "#3b82f6",
-    "cylinder": "#60a5fa", "cone": "#3b82f6", "disc": "#3b82f6", "sphere": "#2563eb", "circle": "#475569",
-    "arrow": "#d97706", "force": "#dc2626", "torque": "#ea580c", "trace": "#d97706", "slider": "#2563eb",
-    "dial": "#2563eb", "ground": "#94a3b8", "rail": "#94a3b8", "track": "#94a3b8", "mesh": "#94a3b8",
-    "velocity": "#16a34a", "acceleration": "#9333ea", "admissible": "#db2777", "reaction": "#0284c7",
+    "cylinder": "#60a5fa", "cone": "#3b82f6", "disc": "#3b82f6", "gear": "#3b82f6", "sphere": "#2563eb",
+    "circle": "#475569", "arrow": "#d97706", "force": "#dc2626", "torque": "#ea580c", "trace": "#d97706",
+    "slider": "#2563eb", "dial": "#2563eb", "ground": "#94a3b8", "rail": "#94a3b8", "track": "#94a3b8",
+    "mesh": "#94a3b8", "velocity": "#16a34a", "acceleration": "#9333ea", "admissible": "#db2777", "reaction": "#0284c7",
     "reaction torque": "#0e7490", "constraint": "#b45309", "friction": "#c026d3",
 }  # fmt: skip
 _OTHER = "#64748b"
 _DARK = 0.72
 _RIM = "#475569"
+_BOX = 0.06  # of the machine
 CLEAR = 0.55
 """Opacity of ellipsoids of inertia: bodies may stand in each other, gimbals and their rotor."""
 
@@ -36,11 +38,13 @@ def sized(numbers: Numbers, role: str, otherwise: float) -> Size:
 
 
 def parts_of(
-    kind: ShapeKind, numbers: Numbers, *, texts: Mapping[str, str] | None = None, planar: bool
+    kind: ShapeKind, numbers: Numbers, *, texts: Mapping[str, str] = MappingProxyType({}), planar: bool
 ) -> tuple[Part, ...]:
     """Of a shape with these columns by role; besides those of `Part` the roles are the arguments of `draw`."""
     found = _parts(kind, numbers, planar)
-    color = (texts or {}).get("color", COLORS.get(kind, _OTHER))
+    color = texts.get("color", COLORS.get(kind, _OTHER))
+    if "teeth" in texts:
+        found = [replace(part, form=f"gear of {texts['teeth']}") for part in found[:1]]
     return tuple(replace(part, color=color) if part.color == _OTHER else part for part in found)
 
 
@@ -58,7 +62,7 @@ def dressed(shapes: Iterable[Shape], planar: bool) -> tuple[Shape, ...]:
 
 
 def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
-    own = {**numbers, "z": numbers["axis"]} if "axis" in numbers else numbers
+    own = {**numbers, "x" if "to" in numbers else "z": numbers["axis"]} if "axis" in numbers else numbers
     place = tuple((role, own[role]) for role in ("at", "to", "x", "z") if role in own)
     match kind:
         case "rod" | "rope":
@@ -69,7 +73,7 @@ def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
             return [_round("cylinder", place, Size(0.005)), _round("piston", place, Size(0.018))]
         case "box":
             return [_box(place, numbers, planar)]
-        case "cylinder" | "cone" | "disc":
+        case "cylinder" | "cone" | "disc" | "gear":
             return _turned(kind, place, numbers)
         case "sphere" | "mass":
             return ball(place, sized(numbers, "radius", 0.04))
@@ -129,15 +133,16 @@ def wheel(place: Place, radius: Size, width: Size) -> list[Part]:
 
 
 def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
-    """Length along x (or from A to B), width and height across; in planar pictures the height is upright."""
-    width, height = sized(numbers, "width", 0.09), sized(numbers, "height", 0.09)
-    across, up = (height, width) if planar else (width, height)
+    """Length along x (or from A to B), width and height across; in planar pictures the height is upright. From A to B
+    the width lies along an axis, if there is one."""
+    width, height = sized(numbers, "width", _BOX), sized(numbers, "height", _BOX)
+    across, up = (height, width) if planar and "x" not in dict(place) else (width, height)
     if "to" in numbers:
         return Part(form="beam", numbers=place, sizes=(across, up, Size(1.0)))
     if "size" in numbers:
         sizes = tuple(Size(1.0, numbers["size"] + axis, False) for axis in range(3))
         return Part(form="cube", numbers=place, sizes=(sizes[0], sizes[1], sizes[2]))
-    return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", 0.09), across, up))
+    return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", _BOX), across, up))
 
 
 def _turned(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
@@ -148,7 +153,7 @@ def _turned(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
         return [_round("cone" if kind == "cone" else "cylinder", place, radius)]
     given = next((role for role in ("length", "height") if role in numbers), None)
     length = replace(radius, factor=slim * radius.factor) if given is None else sized(numbers, given, 0.0)
-    if kind == "disc":
+    if kind in ("disc", "gear"):
         return [_round("drum", place, radius, length), replace(_round("marks", place, radius, length), color="#f8fafc")]
     return [_round("cone" if kind == "cone" else "drum", place, radius, length)]
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.derivation.scene.drawings import along_axes
+from lagdsl.derivation.scene.drawings import along_axes, is_symbol
 from lagdsl.derivation.scene.shapes import Columns
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -40,16 +40,17 @@ _SPREAD = 0.2
 class Machine:
     """Input of all rules: the model, the columns that they fill, its values at some positions, and what is drawn.
 
-    `standing` are points and frames of drawings with a body of their own, `reached` the second ends of those between
-    two points, `owners` the instances of classes that draw themselves, `down` the direction of gravity, if it has one.
+    `standing` are the places of drawings with a body of their own, `reached` the second ends of those between two
+    points, `owners` the instances of classes that draw themselves, `down` the direction of gravity, if it has one.
     """
 
     flat: fm.FlatModel
     columns: Columns
     positions: tuple[Evaluator, ...]
+    start: Evaluator
     dependence: Dependence
     named: Mapping[str, fm.Named]
-    standing: frozenset[fx.FlatExpression | str]
+    standing: frozenset[bytes]
     reached: frozenset[fx.FlatExpression | str]
     owners: frozenset[Spans]
     down: Floats | None
@@ -58,16 +59,44 @@ class Machine:
         """Does the instance of a class that an item comes from draw itself?"""
         return bool(spans[1:]) and spans[1:] in self.owners
 
+    def is_standing(self, place: fx.FlatExpression) -> bool:
+        """Does something with a body of its own stand at a place, wherever the machine is?"""
+        return _spelled(self.positions, place) in self.standing
+
+    def is_hidden(self, symbol: fm.Drawing) -> bool:
+        """Does a thing stand where a component would draw its symbol?"""
+        return symbol.place != "between" and self.is_standing(anchors_of(symbol)[0])
+
+
+def _start(flat: fm.FlatModel) -> Evaluator:
+    """The coordinates have their start values."""
+    known = Evaluator(flat, Values())
+    return Evaluator(flat, Values(variables={each.name: number(known, each.start) for each in flat.coordinates}))
+
+
+def _spelled(positions: tuple[Evaluator, ...], place: fx.FlatExpression) -> bytes:
+    """The same for the same place at all positions."""
+    found = [vector_or_none(at, place) for at in positions]
+    return np.array([np.full(3, np.nan) if each is None else np.round(each, 9) + 0.0 for each in found]).tobytes()
+
+
+def anchors_of(drawing: fm.Drawing) -> list[fx.FlatExpression]:
+    """The points that a drawing stands at."""
+    return [fx.FrameOrigin(each) if isinstance(each, str) else each for each in drawing.anchors]
+
 
 def machine_of(flat: fm.FlatModel, columns: Columns) -> Machine:
     drawings = flat.drawings
+    positions = tuple(evaluator_at(flat, seed) for seed in range(_POSITIONS))
+    solid = [drawing for drawing in drawings if drawing.shape not in _THIN and not is_symbol(drawing)]
     return Machine(
         flat,
         columns,
-        tuple(evaluator_at(flat, seed) for seed in range(_POSITIONS)),
+        positions,
+        _start(flat),
         Dependence(flat),
         {item.name: item for item in flat.named},
-        standing=frozenset(a for drawing in drawings if drawing.shape not in _THIN for a in drawing.anchors),
+        standing=frozenset(_spelled(positions, place) for drawing in solid for place in anchors_of(drawing)),
         reached=frozenset(drawing.anchors[-1] for drawing in drawings if drawing.place == "between"),
         owners=frozenset(drawing.spans[1:] for drawing in drawings),
         down=gravity_of(flat),
@@ -95,6 +124,11 @@ def vector_or_none(at: Evaluator, expression: fx.FlatExpression) -> Floats | Non
     except NotEvaluable:
         return None
     return found if np.isfinite(found).all() else None
+
+
+def fixed(values: Floats) -> fx.FlatExpression:
+    """The vector (3,) with these components."""
+    return fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in values))
 
 
 def movers_of(machine: Machine, expression: fx.FlatExpression) -> frozenset[str]:

@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame
-from lagdsl.derivation.scene.looks import CLEAR, ball, wheel
+from lagdsl.derivation.scene.looks import CLEAR, Place, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
     constant,
     evaluator_at,
+    fixed,
     fixed_points,
     length_behind,
     movers_of,
@@ -42,16 +43,16 @@ def masses(machine: Machine) -> Iterator[Shape]:
     """A ball at each point mass to which nothing is drawn; a cart for one that slides along a line across gravity."""
     columns, at = machine.columns, machine.positions[0]
     most = max((number(at, item.mass) for item in machine.flat.masses), default=1.0)
-    rails: list[tuple[Floats, Floats]] = []
+    rails: list[Floats] = []
     for k, item in enumerate(machine.flat.masses, 1):
-        if item.position in machine.standing or machine.is_drawn(item.spans):
+        if machine.is_standing(item.position) or machine.is_drawn(item.spans):
             continue
         place = columns.vector(item.position)
         numbers = (("at", place),)
         way = driven(machine, item.position)
         if way is not None:
             yield _cart(machine, f"mass {k}", item.position, way, item.spans)
-            yield from rail(machine, item.position, way, rails, item.spans)
+            yield from _rail(machine, item.position, way, rails, item.spans)
             continue
         share = fx.Binary("/", item.mass, fx.Number(most if most > 0.0 else 1.0))
         bounded = fx.Function("max", (share, fx.Number(_LEAST_SHARE)))
@@ -94,49 +95,31 @@ def _is_framed(machine: Machine, point: fx.FlatExpression) -> bool:
     return False
 
 
-def _vector(values: Floats) -> fx.FlatExpression:
-    return fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in values))
+def _on(machine: Machine, point: fx.FlatExpression, way: tuple[Floats, Floats]) -> Place:
+    """At a point, along and up."""
+    ends = zip(("at", "x", "z"), (point, *map(fixed, way)), strict=True)
+    return tuple((role, machine.columns.vector(each)) for role, each in ends)
 
 
 def _cart(machine: Machine, name: str, point: fx.FlatExpression, way: tuple[Floats, Floats], spans: Spans) -> Shape:
-    columns = machine.columns
-    numbers = (
-        ("at", columns.vector(point)),
-        ("x", columns.vector(_vector(way[0]))),
-        ("z", columns.vector(_vector(way[1]))),
-    )
-    size = (Size(CART),) * 3
-    parts = (
-        Part(form="cart", numbers=numbers, sizes=size, color="#2563eb"),
-        Part(form="cart wheels", numbers=numbers, sizes=size, color="#475569"),
-    )
+    numbers = _on(machine, point, way)
+    looks = (("cart", "#2563eb"), ("cart wheels", "#475569"))
+    parts = tuple(Part(form=form, numbers=numbers, sizes=(Size(CART),) * 3, color=color) for form, color in looks)
     return Shape(kind="mass", name=name, numbers=numbers[:1], parts=parts, spans=spans)
 
 
-def rail(
-    machine: Machine,
-    point: fx.FlatExpression,
-    way: tuple[Floats, Floats],
-    known: list[tuple[Floats, Floats]],
-    spans: Spans,
+def _rail(
+    machine: Machine, point: fx.FlatExpression, way: tuple[Floats, Floats], known: list[Floats], spans: Spans
 ) -> Iterator[Shape]:
     """The hatched line that carts stand on, once for all on one line."""
-    along, up = way
+    along = way[0]
     at = machine.positions[0].vector(point)
-    foot = at - (at @ along) * along
-    if any(
-        np.abs(foot - other).max() + min(np.abs(along - line).max(), np.abs(along + line).max()) <= HELD
-        for other, line in known
-    ):
+    line = np.concatenate([at - (at @ along) * along, np.outer(along, along).ravel()])
+    if any(np.abs(line - other).max() <= HELD for other in known):
         return
-    known.append((foot, along))
-    columns = machine.columns
-    across = fx.Binary("-", point, fx.Binary("*", fx.Dot(point, _vector(along)), _vector(along)))
-    numbers = (
-        ("at", columns.vector(across)),
-        ("x", columns.vector(_vector(along))),
-        ("z", columns.vector(_vector(up))),
-    )
+    known.append(line)
+    across = fx.Binary("-", point, fx.Binary("*", fx.Dot(point, fixed(along)), fixed(along)))
+    numbers = _on(machine, across, way)
     part = Part(form="rail", numbers=numbers, color="#94a3b8", still=True, offset=-CART)
     yield Shape(kind="rail", name="rail", numbers=(), parts=(part,), spans=spans)
 
@@ -144,7 +127,7 @@ def rail(
 def bodies(machine: Machine) -> Iterator[Shape]:
     """A body to whose frame nothing is drawn, by its inertia and the points that are fixed in it."""
     for k, item in enumerate(machine.flat.bodies, 1):
-        if item.frame in machine.standing or machine.is_drawn(item.spans):
+        if machine.is_standing(fx.FrameOrigin(item.frame)) or machine.is_drawn(item.spans):
             continue
         found = _Body(machine, item).parts()
         shown = tuple(replace(part, color="#3b82f6") if part.color == "#64748b" else part for part in found)

@@ -9,38 +9,11 @@ from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat.quantity import Spans
 
 ShapeKind: TypeAlias = Literal[
-    "rod",
-    "spring",
-    "damper",
-    "box",
-    "cylinder",
-    "cone",
-    "disc",
-    "sphere",
-    "circle",
-    "arrow",
-    "trace",
-    "text",
-    "mesh",
-    "mass",
-    "body",
-    "rope",
-    "ground",
-    "rail",
-    "track",
-    "force",
-    "torque",
-    "frame",
-    "slider",
-    "dial",
-    "velocity",
-    "acceleration",
-    "admissible",
-    "reaction",
-    "reaction torque",
-    "constraint",
-    "friction",
-]
+    "rod", "spring", "damper", "box", "cylinder", "cone", "disc", "sphere", "circle", "arrow", "trace", "text",
+    "mesh", "mass", "body", "rope", "ground", "rail", "support", "track", "force", "torque", "frame", "slider",
+    "dial", "gear", "branch", "velocity", "acceleration", "admissible", "reaction", "reaction torque",
+    "constraint", "friction",
+]  # fmt: skip
 """The shapes of `draw`, then those that the rules add, then the arrows of `vectors`."""
 
 

@@ -8,9 +8,9 @@ from dataclasses import field
 
 import numpy as np
 
-from lagdsl.derivation.scene.forms import COARSE, FINE
+from lagdsl.derivation.scene.forms import COARSE, FINE, form
 from lagdsl.derivation.scene.meshes import meshes_of
-from lagdsl.derivation.scene.shapes import Scene, Shape
+from lagdsl.derivation.scene.shapes import Part, Scene
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -21,6 +21,7 @@ TILT = 0.38 / 0.92
 """Of the view on spatial machines: upwards over backwards."""
 
 _SIDES = 12
+_X, _Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
 _EQUAL = 0.05
 
 
@@ -30,7 +31,8 @@ class Stage:
     `high`.
 
     `length` [m] is the size of the machine, `scales` have the length of an arrow for a unit of a force [m/N], the
-    radius of one for a unit of a torque [1/N]. `axes`: the unit directions right, up and back (towards the viewer).
+    radius of one for a unit of a torque [1/N], the length of one for a unit of a current [m/A]. `axes`: the unit
+    directions right, up and back (towards the viewer).
     `meshes`: triangles by the number of the shape, in units of its file. `around`: faces of round forms.
     """
 
@@ -67,12 +69,12 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float] | Floats) -> Stage:
     length = max(float(np.linalg.norm(high - low)) / math.sqrt(2.0), 1e-9)
 
     def scaled(kind: str) -> float:
-        firsts = [dict(shape.numbers)["vector"] for shape in scene.shapes if shape.kind == kind]
+        firsts = [dict(shape.numbers)["vector"] for shape in scene.shapes if shape.kind == kind and shape.numbers]
         own = [np.linalg.norm(rows[:, first : first + 3], axis=1) for first in firsts]
         most = max((float(sizes.max(initial=0.0, where=np.isfinite(sizes))) for sizes in own), default=0.0)
         return 0.3 * length / most if most > 0.0 else 0.0
 
-    scales = {"force": scaled("force"), "torque": 0.4 * scaled("torque")}
+    scales = {"force": scaled("force"), "torque": 0.4 * scaled("torque"), "current": 0.4 * scaled("branch")}
     axes = _facing(scene, np.array(up, dtype=np.float64), points)
     meshes = meshes_of(scene.shapes)
     box = {"low": low, "high": high}
@@ -86,30 +88,37 @@ def places_of(scene: Scene, rows: Floats) -> Floats:
     for shape in scene.shapes:
         if shape.kind == "frame":
             continue
-        own = reach(shape, rows[0])
         firsts = [first for role, first in shape.numbers if role in ("at", "to")]
-        firsts += [
-            first for part in shape.parts for role, first in part.numbers if role in ("at", "to") and not part.still
-        ]
-        for first in dict.fromkeys(firsts):
-            at = seen[:, first : first + 3]
-            at = at[np.all(np.isfinite(at), axis=1)]
-            points += [at - own, at + own]
+        points += [seen[:, first : first + 3] for first in firsts]
+        for part in (part for part in shape.parts if not part.still):
+            numbers = dict(part.numbers)
+            for role in ("at", "to"):
+                if role in numbers:
+                    at = seen[:, numbers[role] : numbers[role] + 3]
+                    room = _room(part, seen)
+                    points += [at - room, at + room]
+    points = [each[np.all(np.isfinite(each), axis=1)] for each in points]
     every = np.concatenate(points) if points else np.zeros((0, 3))
     if not len(every):
         every = np.zeros((1, 3))
     return every if np.any(np.ptp(every, axis=0) > 0.0) else np.concatenate([every - 0.5, every + 0.5])
 
 
-def reach(shape: Shape, row: Floats) -> float:
-    """Room that a shape with sizes of its own takes around its places, at one row [m]."""
-    sizes = [
-        abs(size.factor * row[size.column])
-        for part in shape.parts
-        for size in part.sizes
-        if size.column is not None and not size.relative
-    ]
-    return max((float(size) for size in sizes if np.isfinite(size)), default=0.0)
+def _room(part: Part, rows: Floats) -> Floats:
+    """Around the places of a part with sizes of its own, along the axes of the world (rows, 3) [m]."""
+    if part.primitive != "surface" or part.form == "file" or any(size.relative for size in part.sizes[:2]):
+        return np.zeros(3)
+    numbers = dict(part.numbers)
+    factors = [np.abs(size.factor * (1.0 if size.column is None else rows[:, size.column])) for size in part.sizes]
+    halves = [each * half for each, half in zip(factors, np.abs(form(part.form)).max(axis=(0, 1)), strict=True)]
+    if "to" in numbers or ("x" in numbers) != ("z" in numbers):
+        return np.reshape(
+            np.max(np.broadcast_arrays(*halves[: 2 if "to" in numbers else 3]), axis=0), (-1, 1)
+        ) + np.zeros(3)
+    x, z = (rows[:, numbers[role] :][:, :3] if role in numbers else unit for role, unit in (("x", _X), ("z", _Z)))
+    return np.asarray(
+        sum(np.abs(axis) * np.reshape(half, (-1, 1)) for axis, half in zip((x, np.cross(z, x), z), halves, strict=True))
+    )
 
 
 def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, Floats]:
@@ -118,9 +127,7 @@ def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, F
     if scene.planar:
         right, above, back = np.eye(3)
         return right, above, back
-    first = np.array([0.75, -1.0, 0.0]) if abs(up[2]) > 0.7 else np.array([0.6, 0.0, 1.0])
-    first -= (first @ up) * up
-    first /= np.linalg.norm(first)
+    first = first_sight(up)
     other = np.cross(up, first)
     turns = [np.pi * k / _SIDES for k in range(_SIDES)]
     backs = [math.cos(turn) * first + math.sin(turn) * other for turn in turns]
@@ -129,3 +136,10 @@ def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, F
     spreads = np.array([np.linalg.det(np.cov(each, rowvar=False)) for each in seen])
     back = backs[int(np.argmax(spreads >= spreads.max() * (1.0 - _EQUAL)))]
     return np.cross(up, back), up, back
+
+
+def first_sight(up: Floats) -> Floats:
+    """The unit direction (3,) towards a viewer in front, across `up`."""
+    first = np.array([0.75, -1.0, 0.0]) if abs(up[2]) > 0.7 else np.array([0.6, 0.0, 1.0])
+    first -= (first @ up) * up
+    return np.asarray(first / np.linalg.norm(first))

@@ -12,13 +12,16 @@ from lagdsl.derivation.scene.links import machine_position
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
+    anchors_of,
     constant,
     evaluator_at,
+    fixed,
     gaps,
     movers_of,
     normal_of,
     number,
     on_body,
+    places,
     points_of,
     radius_at,
     straight,
@@ -28,6 +31,7 @@ from lagdsl.derivation.scene.machine import (
 from lagdsl.derivation.scene.masses import radius_of
 from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.units.dimension import CHARGE
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.quantity import is_angle
@@ -38,6 +42,7 @@ _MOST_FRAMES = 60
 _STEPS_OF_A_TRACK = 49
 _FARTHEST = 6.0  # of its largest start value: so far the track of a length is drawn
 _GROUND = "#94a3b8"
+_HELD_KINDS = frozenset({"rod", "rope", "spring", "damper", "body", "box", "cylinder"})
 _CLEAR_GROUND = 0.3
 
 
@@ -46,11 +51,11 @@ def grounds(machine: Machine) -> Iterator[Shape]:
     its gap then changes as n . P does, with one unit vector n at all positions."""
     seen: list[Floats] = []
     for item, gap in gaps(machine):
-        found = _plane_of(machine, gap)
+        found = None if isinstance(item, fm.Constraint) and _is_drawn_at(machine, gap) else _plane_of(machine, gap)
         if found is None:
             continue
         normal, foot = found
-        n = fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in normal))
+        n = fixed(normal)
         still = fx.Binary("*", fx.Dot(foot, n), n)
         numbers = (("at", machine.columns.vector(foot)), ("normal", machine.columns.vector(n)))
         at = vector_or_none(machine.positions[0], still)
@@ -58,14 +63,22 @@ def grounds(machine: Machine) -> Iterator[Shape]:
         if any(np.abs(plane - other).max() <= HELD for other in seen):
             continue
         seen.append(plane)
+        rests = constant(places(machine, still))
         part = Part(
             form="ground",
-            numbers=(("at", machine.columns.vector(still)), ("z", numbers[1][1])),
+            numbers=(("at", machine.columns.vector(still) if rests else numbers[0][1]), ("z", numbers[1][1])),
             color=_GROUND,
-            still=True,
+            still=rests,
             opacity=_CLEAR_GROUND,
         )
         yield Shape(kind="ground", name=item.name, numbers=numbers, parts=(part,), spans=item.spans)
+
+
+def _is_drawn_at(machine: Machine, gap: fx.FlatExpression) -> bool:
+    """Is a point that a residual names drawn by hand, with what keeps it there?"""
+    named = {node for node in postorder(gap) if isinstance(node, fx.PointReference)}
+    drawings = (each for each in machine.flat.drawings if each.shape not in ("trace", "text"))
+    return any(named & set(postorder(anchor)) for each in drawings for anchor in anchors_of(each))
 
 
 def _plane_of(machine: Machine, gap: fx.FlatExpression) -> tuple[Floats, fx.FlatExpression] | None:
@@ -79,7 +92,7 @@ def _plane_of(machine: Machine, gap: fx.FlatExpression) -> tuple[Floats, fx.Flat
         normal = normal_of(flat, gap, place, movers) if own <= movers else None
         if normal is None:
             continue
-        n = fx.Vector(*(fx.Number(float(x)) for x in normal))
+        n = fixed(normal)
         body = bodies.get(place) if isinstance(place, fx.FrameOrigin) else None
         reach = radius_at(flat, place) or (None if body is None else radius_of(machine, body))
         depth = gap if reach is None else fx.Binary("+", gap, reach)
@@ -87,9 +100,32 @@ def _plane_of(machine: Machine, gap: fx.FlatExpression) -> tuple[Floats, fx.Flat
     for body in flat.bodies:
         found = touching_point(machine, body.frame, gap)
         if found is not None:
-            n = fx.Vector(*(fx.Number(float(x)) for x in found[0]))
+            n = fixed(found[0])
             return found[0], fx.Binary("-", on_body(body.frame, found[1]), fx.Binary("*", gap, n))
     return None
+
+
+def supports(machine: Machine, shapes: Iterable[Shape], up: Floats) -> Iterator[Shape]:
+    """A hatched plate where the ground holds an end of what turns about it: above what hangs, below what stands."""
+    known = set(machine.standing)
+    held = [each for each in shapes if each.kind in _HELD_KINDS and not any("wall" in part.form for part in each.parts)]
+    for shape, numbers in ((each, dict(part.numbers)) for each in held for part in each.parts):
+        for role, other in (("at", "to"), ("to", "at")) if {"at", "to"} <= numbers.keys() else ():
+            end, way = (_column(machine, numbers[each]) for each in (role, other))
+            way = way - end
+            turns = not constant(way / np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-300))
+            place = (np.round(end[1:], 9) + 0.0).tobytes()
+            if turns and constant(end) and place not in known:
+                known.add(place)
+                z = machine.columns.vector(fixed(-up if way[0] @ up < 0.0 else up))
+                part = Part(form="wall", numbers=(("at", numbers[role]), ("z", z)), color=_GROUND)
+                yield Shape(kind="support", name="support", numbers=(), parts=(part,), spans=shape.spans)
+
+
+def _column(machine: Machine, first: int) -> Floats:
+    """A vector of the scene (1 + positions, 3) where the motion begins, and at random."""
+    parts = machine.columns.expressions[first : first + 3]
+    return np.array([[number(at, part) for part in parts] for at in (machine.start, *machine.positions)])
 
 
 def tracks(machine: Machine) -> Iterator[Shape]:
@@ -146,10 +182,11 @@ def _way(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
 
 
 def _on_a_circle(places: Floats) -> bool:
-    """Is |r|^2 = 2 c . r + d for some c and d, as on a sphere?"""
+    """Is |r|^2 = 2 c . r + d for some c and d, as on a sphere, or do all places lie on a line?"""
     rows, squares = np.column_stack([2.0 * places, np.ones(len(places))]), np.sum(places**2, axis=1)
     found = np.linalg.lstsq(rows, squares, rcond=HELD)[0]
-    return bool(np.abs(rows @ found - squares).max() <= HELD * squares.max())
+    leaves = np.linalg.svd(places - places[0], compute_uv=False)
+    return bool(np.abs(rows @ found - squares).max() <= HELD * squares.max() or leaves[1] <= HELD * leaves[0])
 
 
 def _range(machine: Machine, name: str, movers: Iterable[str]) -> list[float]:
@@ -178,7 +215,7 @@ def loads(machine: Machine) -> Iterator[Shape]:
                 found = _acts_at(machine, load.target)
                 if found is not None:
                     kind, place, axis = found
-                    n = fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in axis))
+                    n = fixed(axis)
                     yield _load(kind, load, place, fx.Binary("*", load.value, n), machine)
             case fm.RateForce():
                 pass
@@ -219,9 +256,14 @@ def frames(machine: Machine) -> Iterator[Shape]:
 
 
 def gauges(machine: Machine) -> Iterator[Shape]:
-    """A dial for each angle and a slider for each other coordinate that moves nothing of what is drawn."""
-    drawn = tuple(machine.columns.expressions)
-    for coordinate in machine.flat.coordinates:
+    """A dial for each angle and a slider for each other coordinate that moves nothing of what is drawn; charges flow in
+    the diagram of a circuit, and frames between which one draws are sections of what bends."""
+    bent = {
+        anchor.frame for each in machine.flat.drawings for anchor in each.anchors if isinstance(anchor, fx.FrameOrigin)
+    }
+    turned = [fx.Component(fx.FrameAxis(frame, axis), k) for frame in sorted(bent) for axis in (0, 1) for k in range(3)]
+    drawn = (*machine.columns.expressions, *turned)
+    for coordinate in (each for each in machine.flat.coordinates if each.dimension != CHARGE):
         moved = evaluator_at(machine.flat, 0, moved={coordinate.name: 0.1})
         # A ball that turns in its place depends on its angle, and nothing is seen of it.
         likely = (each for each in drawn if coordinate.name in machine.dependence.of(each))

@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.path import Path
 from named_models import compiled
 
 from lagdsl.derivation.scene import machine as rules
+from lagdsl.derivation.scene.forms import form
 from lagdsl.derivation.scene.living import living, scene_of
 from lagdsl.derivation.scene.posed import Posed
 from lagdsl.derivation.scene.shapes import Scene, Shape
@@ -22,7 +24,7 @@ def scene(body: str) -> Scene:
 
 
 def kinds(found: Scene) -> Counter[str]:
-    return Counter(shape.kind for shape in found.shapes if shape.kind != "frame")
+    return Counter(shape.kind for shape in found.shapes if shape.kind not in ("frame", "support"))
 
 
 def shape(found: Scene, kind: str) -> Shape:
@@ -111,12 +113,12 @@ def test_loads_stand_at_their_points() -> None:
 
 
 def test_coordinates_without_a_place_have_gauges() -> None:
-    """Only angles have a dial: as an angle, a charge of a millicoulomb moved no hand."""
+    """Only angles have a dial; charges flow in a diagram."""
     found = scene(
         "coordinate Angle a; coordinate Length s; coordinate Charge q; gravity = 0;"
         "kinetic (1 kg.m2)/2*der(a)^2 + (1 kg)/2*der(s)^2 + (1 H)/2*der(q)^2;"
     )
-    assert kinds(found) == {"dial": 1, "slider": 2}
+    assert kinds(found) == {"dial": 1, "slider": 1, "branch": 1}
 
 
 def test_bodies_are_shown_by_their_inertia() -> None:
@@ -273,6 +275,93 @@ def test_a_wire_is_where_its_constraint_holds() -> None:
     x, y, _ = track.line().T
     np.testing.assert_allclose(y, 0.1 * np.cos(x), atol=1e-12)
     assert x.min() < -1.0 and x.max() > 1.0
+
+
+def test_the_ground_holds_what_turns_about_it() -> None:
+    """Above what hangs, below what stands; nothing where a thing stands, and for links that slide or move away."""
+
+    def ups(body: str) -> list[float]:
+        walls = [each for each in posed(body) if each.part.form in ("wall", "plane wall")]
+        return [float(each.matrix()[1, 2] / np.linalg.norm(each.matrix()[:3, 2])) for each in walls]
+
+    assert ups(PENDULUM) == [-1.0]
+    assert ups(PENDULUM.replace("Angle q;", "Angle q(start = 3 rad);")) == [1.0]
+    assert ups(PENDULUM + "draw disc(radius = 10 cm) on world.rotz(q);") == []
+    moves = "coordinate Length x(start = 1 m), y(start = 1 m); gravity = 0; point P = {x, y}; mass 1 kg at P;"
+    assert ups(moves + "draw rod from {x, 0} to P;") == ups(moves + "draw rod from {0, 0} to {x, 0};") == []
+    assert ups(moves + "draw rod from {0, 0} to P;") == [1.0]
+
+
+def branches(body: str) -> dict[str, list[str]]:
+    """Symbols by charge."""
+    found = scene(body)
+    return {
+        each.name: [part.form for part in each.parts if part.form not in ("beam", "")]
+        for each in found.shapes
+        if each.kind == "branch"
+    }
+
+
+def test_a_circuit_has_a_symbol_for_each_term() -> None:
+    ring = "coordinate Charge q; input Voltage u; force u on q; kinetic (1 H)/2*der(q)^2; potential q^2/(2 F);"
+    found = branches(ring + "dissipation (1 Ohm)/2*der(q)^2;")
+    assert found == {"q": ["voltage source", "capacitor", "resistor", "inductor"]}
+    parts = "import Lag.Electrical.*; VoltageSource s(v = 1 V); Resistor r(R = 1 Ohm); Inductor l(L = 1 H); Ground e;"
+    joined = "connect(s.p, r.p); connect(r.n, l.p); connect(s.n, l.n, e.p);"
+    assert branches(parts + joined) == {"s.q": ["voltage source", "earth"], "r.q": ["resistor"], "l.q": ["inductor"]}
+    driven = parts.replace("VoltageSource s(v = 1 V)", "CurrentSource s(i = 1 A)")
+    assert branches(driven + joined)["s.q"] == ["current source", "earth"]
+    assert branches("coordinate Length x; mass 1 kg at {x, 0}; gravity = 0;") == {}
+
+
+def test_symbols_and_wires_of_a_circuit_meet_and_do_not_lie_on_each_other() -> None:
+    """Each end of a symbol is one of a wire or of another symbol; no two symbols have a place in common."""
+    found = posed(
+        "import Lag.Electrical.*; VoltageSource s(v = 1 V); Resistor a(R = 1 Ohm), b(R = 1 Ohm); Ground e;"
+        "Resistor c(R = 1 Ohm), d(R = 1 Ohm); Inductor l(L = 1 H); connect(s.p, a.p, b.p); connect(a.n, c.p, l.p);"
+        "connect(b.n, d.p, l.n); connect(s.n, c.n, d.n, e.p);"
+    )
+    strokes = [each for each in found if each.part.primitive == "surface"]
+    ends = [{tuple(np.round(each.vector(role), 9)) for role in ("at", "to")} for each in strokes]
+    symbols = [k for k, each in enumerate(strokes) if each.part.form not in ("beam", "earth")]
+    middles = {tuple(np.round(strokes[k].vector("at") + strokes[k].vector("to"), 9)) for k in symbols}
+    assert len(middles) == len(symbols) == 6
+    for k in symbols:
+        assert all(any(end in other for j, other in enumerate(ends) if j != k) for end in ends[k])
+
+
+def test_the_current_turns_the_arrow_of_its_branch() -> None:
+    body = "coordinate Charge q; kinetic (1 H)/2*der(q)^2; potential q^2/(2 F);"
+    found = scene(body)
+    vector = dict(shape(found, "branch").numbers)["vector"]
+    flat = compiled(f"model M\n{body}\nend M;\n").flat
+    currents = []
+    for rate in (2.0, -1.0):
+        at = Evaluator(flat, Values(rates={"q": rate}))
+        currents.append(np.array([at.scalar(column) for column in found.columns[vector : vector + 3]]))
+    np.testing.assert_allclose(currents[0], -2.0 * currents[1], atol=1e-12)
+    assert np.linalg.norm(currents[1]) == pytest.approx(1.0)
+
+
+def test_a_gear_has_its_teeth_and_gears_in_mesh_do_not_overlap() -> None:
+    """24 teeth on 48 in any position, and inside of a ring of 72: no corner of one lies inside of the other."""
+
+    def outside(pinion: np.ndarray, wheel: np.ndarray) -> bool:
+        return not any(Path(wheel).contains_points(pinion))
+
+    def rim(teeth: int, turn: float, x: float) -> np.ndarray:
+        faces = form(f"gear of {teeth}")
+        radius = abs(teeth) / 24.0
+        edge = faces[np.ptp(faces[..., 2], axis=1) > 0.5][:, 0, :2]
+        assert len(edge) == 4 * abs(teeth) * (1 if teeth > 0 else 2)
+        c, s = np.cos(turn), np.sin(turn)
+        return np.asarray(radius * edge @ np.array([[c, s], [-s, c]]) + np.array([x, 0.0]))
+
+    for turn in np.linspace(0.0, 0.3, 7):
+        wheel = rim(48, np.pi / 48 - turn / 2.0, 3.0)
+        assert outside(rim(24, turn, 0.0), wheel)
+    inner = np.linalg.norm(rim(-72, 0.0, 0.0), axis=1)
+    assert inner.min() == pytest.approx(3.0 - 1.0 / 12.0)
 
 
 def test_a_load_on_a_coordinate_acts_at_the_thing_that_it_moves() -> None:

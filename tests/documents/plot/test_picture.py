@@ -22,6 +22,7 @@ from lagdsl.documents.plot.picture.recording import record_motion, staged
 from lagdsl.documents.plot.picture.shapes import parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
+from lagdsl.foundation.source import SourceFile
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.pipeline import flatten_file, read
 
@@ -111,7 +112,7 @@ def test_masses_stand_where_they_are() -> None:
         assert np.abs(seen - place[:2]).max() < 1e-12
 
 
-@pytest.mark.parametrize("name", sorted(FORMS - {"octants"}))
+@pytest.mark.parametrize("name", [*sorted(FORMS - {"octants"}), "gear of 12", "gear of -12"])
 def test_faces_of_solids_look_outwards_and_close_them(name: str) -> None:
     """The divergence theorem: the flux of the place through the faces is three volumes; of a constant it is zero."""
     unit = form(name)
@@ -185,7 +186,9 @@ def test_a_picture_of_several_moments_is_another_one(tmp_path: Path) -> None:
 
 def test_a_model_without_places_has_no_picture(tmp_path: Path) -> None:
     """An empty grid told nobody that there is nothing to see."""
-    flat = flat_of("van_der_pol")
+    text = "model VanDerPol\n  state Real x(start = 2);\nequation\n  der(x) = -x/(1 s);\nend VanDerPol;\n"
+    flat = flatten_file(SourceFile("<text>", text), Sink())
+    assert flat is not None
     for write, name in ((write_picture, "still.png"), (write_film, "film.gif")):
         with pytest.raises(ValueError, match="nothing in VanDerPol has a place"):
             write(flat, Wishes(), tmp_path / name)  # type: ignore[operator]

@@ -73,7 +73,7 @@ def _solid(stage: Stage, steps: Floats | None) -> Floats:
     """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture."""
     found = [np.zeros((0, 3))]
     for row in np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int)).tolist():
-        parts = parts_of(stage, row, without=("ground", "rail", "trace"))
+        parts = parts_of(stage, row, without=("ground", "rail", "track", "trace"))
         own = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
         own += [part.points for part in parts if isinstance(part, Ribbon)]
         found += own if steps is None else [points - steps[row] for points in own]

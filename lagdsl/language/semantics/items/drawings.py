@@ -11,9 +11,10 @@ from lagdsl.language.flat import expression as flat
 from lagdsl.language.flat import model as flat_model
 from lagdsl.language.flat.expression import FlatExpression
 from lagdsl.language.semantics.items.colors import COLOR, NAMED_COLORS
-from lagdsl.language.semantics.items.shapes import INSTEAD_OF, KINDS, SHAPES, WORDS, Place
+from lagdsl.language.semantics.items.shapes import FEWEST_TEETH, INSTEAD_OF, KINDS, MOST_TEETH, SHAPES, WORDS, Place
 from lagdsl.language.semantics.operators.conditions import structural_condition
 from lagdsl.language.semantics.operators.geometry import as_frame, as_point
+from lagdsl.language.semantics.scope.constants import structural_integer
 from lagdsl.language.semantics.scope.context import Context
 from lagdsl.language.semantics.scope.naming import kind_of, name_span
 from lagdsl.language.semantics.scope.scope import Scope
@@ -65,6 +66,10 @@ def _shows_something(ctx: Context, node: nodes.Draw, place: Place, arguments: di
     if node.shape == "arrow" and place != "between" and "vector" not in arguments:
         example = f"arrow(vector = world.x) {WORDS[place]}"
         ctx.sink.report("E0343", node.span, shape="arrow", what="a vector", name="vector", example=example)
+        return False
+    if node.shape == "gear" and "teeth" not in arguments:
+        what, example = "the number of its teeth", f"gear(radius = 5 cm, teeth = 20) {WORDS[place]}"
+        ctx.sink.report("E0343", node.span, shape="gear", what=what, name="teeth", example=example)
         return False
     if node.shape != "mesh":
         return True
@@ -124,6 +129,8 @@ def _value(
     kind = KINDS[argument.name]
     if kind in ("length", "three lengths"):
         return _length(ctx, scope, argument, value)
+    if kind == "count":
+        return _count(ctx, argument, value)
     if kind in ("direction", "vector"):
         return _direction(ctx, argument, place, value)
     if not isinstance(value, Text):
@@ -160,6 +167,18 @@ def _length(ctx: Context, scope: Scope, argument: nodes.Named, value: Value) -> 
     if several and len(parts) == 1 and argument.name == "size":
         parts *= 3
     return parts[0] if len(parts) == 1 else flat.Vector(*parts)
+
+
+def _count(ctx: Context, argument: nodes.Named, value: Value) -> FlatExpression | None:
+    """Teeth; those of a ring gear, which stand inside, are counted below zero (DIN 3960)."""
+    number = structural_integer(ctx, value, argument.value, "E0333")
+    if number is None:
+        return None
+    if not FEWEST_TEETH <= abs(number) <= MOST_TEETH:
+        expected = f"between {FEWEST_TEETH} and {MOST_TEETH} in size"
+        ctx.sink.report("E0334", argument.value.span, what="`teeth`", expected=expected, found=str(number))
+        return None
+    return flat.Number(float(number))
 
 
 def _direction(ctx: Context, argument: nodes.Named, place: Place, value: Value) -> FlatExpression | None:

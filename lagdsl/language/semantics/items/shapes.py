@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 from lagdsl.foundation.record import record
 
 Place: TypeAlias = Literal["at", "on", "between"]
-Kind: TypeAlias = Literal["length", "three lengths", "direction", "vector", "color", "text", "file"]
+Kind: TypeAlias = Literal["count", "length", "three lengths", "direction", "vector", "color", "text", "file"]
 
 KINDS: Mapping[str, Kind] = {
     "radius": "length",
@@ -21,8 +21,12 @@ KINDS: Mapping[str, Kind] = {
     "vector": "vector",
     "color": "color",
     "text": "text",
+    "teeth": "count",
     "file": "file",
 }
+FEWEST_TEETH, MOST_TEETH = 4, 400
+"""Of a gear: fewer have no foot circle, more are not seen."""
+
 # Arguments that leave others without effect.
 INSTEAD_OF: Mapping[str, tuple[str, ...]] = {"size": ("length", "width", "height"), "length": ("height",)}
 WORDS: Mapping[Place, str] = {"at": "at P", "on": "on F", "between": "from A to B"}
@@ -51,10 +55,11 @@ SHAPES: Mapping[str, ShapeRule] = {
     "rod": ShapeRule({"between": _BALL}),
     "spring": ShapeRule({"between": _BALL}),
     "damper": ShapeRule({"between": ("color",)}),
-    "box": ShapeRule({"at": _BOX, "on": _BOX, "between": ("width", "height", "color")}, ("size",)),
+    "box": ShapeRule({"at": _BOX, "on": _BOX, "between": ("width", "height", "axis", "color")}, ("size",)),
     "cylinder": _ROUND,
     "cone": _ROUND,
     "disc": _ROUND,
+    "gear": ShapeRule({"at": ("teeth", *_TURNED), "on": ("teeth", *_TURNED)}, ("length",)),
     "sphere": ShapeRule({"at": _BALL, "on": _BALL}),
     "circle": ShapeRule({"at": _BALL, "on": _BALL}),
     "arrow": ShapeRule({"at": ("vector", "color"), "on": ("vector", "color"), "between": ("color",)}),
