@@ -799,9 +799,9 @@ def test_a_bar_is_drawn_in_its_length() -> None:
     made = record_motion(flat, Wishes(), 5)
     columns = made.motion.columns[-len(made.scene.columns) :]
     rows = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
-    [bar] = [part for part in parts_of(stage_of(made.scene, rows, (0, 1, 0)), 0) if isinstance(part, Faces)]
-    corners = bar.corners.reshape(-1, 3)
-    assert np.linalg.norm(np.ptp(corners, axis=0)) == pytest.approx(1.0, rel=0.02)
+    parts = parts_of(stage_of(made.scene, rows, (0, 1, 0)), 0)
+    lengths = [np.linalg.norm(np.ptp(part.corners.reshape(-1, 3), axis=0)) for part in parts if isinstance(part, Faces)]
+    assert max(lengths) == pytest.approx(1.0, rel=0.02)  # the support at its pin is small
 
 
 # ---- robots: URDF ----------------------------------------------------------------------------------------------------

@@ -182,8 +182,11 @@ class _Table:
         """(columns, rows) values, or derivatives, of the last rows at the times of the grid; nan behind its end."""
         rows = np.searchsorted(motion.time, self.grid + self._together) - 1
         there = self.grid <= (motion.time[-1] if len(motion) else -np.inf) + self._together
-        columns = [motion.derivative(name, by) if by else motion[name] for name, _ in self.names]
-        return np.array([np.where(there, values[rows] if len(values) else np.nan, np.nan) for values in columns])
+        found: Floats = np.full((len(self.names), len(self.grid)), np.nan)
+        for row, (name, _) in zip(found, self.names, strict=True):
+            values = motion.derivative(name, by) if by else motion[name]
+            row[there] = values[rows[there]]
+        return found
 
     @property
     def _together(self) -> float:
