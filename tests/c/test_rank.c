@@ -132,6 +132,73 @@ static void bounds_have_the_verdict_of_pivots(const lag_patterns *patterns, doub
     free(other);
 }
 
+/* The least pivot of Cholesky's method on the products of these rows, in this order; the others do not count. */
+static double least_pivot_of(size_t count, const size_t *which, const double *jacobian)
+{
+    static double matrix[ROWS][ROWS];
+    double least = (double)INFINITY;
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t j = 0; j <= i; ++j) {
+            double sum = 0.0;
+            for (size_t k = 0; k < COLUMNS; ++k) {
+                sum += jacobian[which[i] * COLUMNS + k] * jacobian[which[j] * COLUMNS + k];
+            }
+            for (size_t k = 0; k < j; ++k) {
+                sum -= matrix[i][k] * matrix[j][k];
+            }
+            matrix[i][j] = i == j ? sqrt(sum) : sum / matrix[j][j];
+            least = i == j && sum < least ? sum : least;
+        }
+    }
+    return least;
+}
+
+/* Two rows share columns with all others: they stand in a border beside the band, and pivots are those of the two at the top. */
+static void dense_rows_stand_in_a_border(void)
+{
+    enum { MOST = 2 * ENTRIES };
+    static size_t rows[MOST], columns[MOST], begin[ROWS + 1], which[ROWS];
+    static double jacobian[ROWS * COLUMNS];
+    size_t count = 0;
+    chain(jacobian);
+    for (size_t j = 0; j < COLUMNS; ++j) {
+        jacobian[8 * COLUMNS + j] = j % 2 == 0 ? 0.18 : 0.0;
+        jacobian[9 * COLUMNS + j] = j % 2 == 0 ? 0.0 : 0.02 * (double)(j % 9);
+    }
+    for (size_t i = 0; i < ROWS; ++i) {
+        begin[i] = count;
+        for (size_t j = 0; j < COLUMNS; ++j) {
+            if (i == 8 || i == 9 || jacobian[i * COLUMNS + j] != 0.0) {
+                rows[count] = i;
+                columns[count++] = j;
+            }
+        }
+        which[i] = i < 2 ? 8 + i : i < 10 ? i - 2 : i;
+    }
+    begin[ROWS] = count;
+    const lag_pattern pattern = {ROWS, COLUMNS, count, rows, columns, begin};
+    const lag_patterns patterns = {.jacobian = &pattern};
+    const lag_model model = model_of(&patterns, ROWS);
+    double *memory = NULL;
+    lag_rank_estimate estimate = place(&model, &memory);
+    CHECK(estimate.matrix.border == 2);
+    CHECK(estimate.matrix.start[ROWS] < 4 * ROWS);
+    const double margin = lag_rank_estimate_margin(&estimate, jacobian);
+    CHECK(fabs(margin - sqrt(least_pivot_of(ROWS, which, jacobian))) < 1e-12);
+    CHECK(lag_rank_estimate_update(&estimate, jacobian) == LAG_OK);
+    CHECK(estimate.known.least > 0.0 && estimate.known.least <= margin);
+    for (size_t j = 0; j < COLUMNS; ++j) { /* one of the two follows from the other */
+        jacobian[9 * COLUMNS + j] = j % 2 == 0 ? -0.18 : 0.0;
+    }
+    estimate.most = ROWS - 1;
+    which[1] = 8;
+    CHECK(fabs(lag_rank_estimate_margin(&estimate, jacobian) - sqrt(least_pivot_of(ROWS - 1, which + 1, jacobian))) < 1e-12);
+    CHECK(estimate.trial[9] + estimate.trial[8] == 1.0);
+    estimate.most = ROWS;
+    CHECK(lag_rank_estimate_margin(&estimate, jacobian) < 1e-6);
+    free(memory);
+}
+
 int main(void)
 {
     for (size_t i = 0; i < ROWS; ++i) {
@@ -151,6 +218,7 @@ int main(void)
     bounds_have_the_verdict_of_pivots(NULL, 3e-3);
     rows_that_follow_are_found();
     rows_that_go_are_left_out();
+    dense_rows_stand_in_a_border();
     (void)printf("rank: ok\n");
     return 0;
 }

@@ -15,11 +15,12 @@ from lagdsl.derivation.structure.names import (
     place,
     unit_suffix,
 )
-from lagdsl.derivation.structure.points import HOLDS, Geometry, Probe, random_points, solved
+from lagdsl.derivation.structure.points import HOLDS, Geometry, Probe, random_points
 from lagdsl.derivation.structure.restated import is_steep, restated
 from lagdsl.foundation.diagnostics import Label, Sink
 from lagdsl.foundation.numerics.connected_blocks import Partition
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer
+from lagdsl.foundation.numerics.part_by_part import solved
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.balanced import balanced

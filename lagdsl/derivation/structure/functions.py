@@ -33,8 +33,13 @@ class ProgramFunctions:
 
     @property
     def by_columns(self) -> bool:
-        """True if M is not written out and the equations are solved without it."""
-        return self.program.has("elimination") and not self.program.has("mass_matrix")
+        """True if M is not written out."""
+        return not self.program.has("mass_matrix")
+
+    def momentum_is_finite(self, *state: Floats | float) -> bool:
+        """True if M times a vector is, where M is not written out."""
+        vector = np.ones(len(self.layout.coordinates))
+        return bool(np.all(np.isfinite(self.evaluate("momentum_tangent", *state, vector)[0])))
 
     def restricted(self, rows: list[int]) -> ProgramFunctions:
         """The same with all other rows of the position constraints, and of J there, zero."""
@@ -53,7 +58,7 @@ class ProgramFunctions:
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]:
         """Result blocks of `function`; what is not a number comes out as nan or inf."""
-        if function == "mass_matrix" and not self.program.has(function):
+        if function == "mass_matrix" and self.by_columns:
             return (self._mass_by_columns(*arguments),)
         return self._results(function, self.program.function(function).results, *arguments)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.derivation.structure.names import listed
-from lagdsl.derivation.structure.points import Geometry, Probe, free_directions
+from lagdsl.derivation.structure.points import Geometry, Probe
 from lagdsl.foundation.diagnostics import Sink
-from lagdsl.foundation.numerics.connected_blocks import connected_blocks, entries
+from lagdsl.foundation.numerics.part_by_part import free_directions, is_positive_definite
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
@@ -20,8 +20,6 @@ _TOLERANCE = 1e-12
 # Part of a direction that a coordinate needs to be told, and to be told alone.
 _SHARE = 1e-3
 _ALONE = 0.999
-# Eigenvalues of M, scaled to a unit diagonal, that are surely inertia.
-_SAFE = 1e-6
 _MOST_SHOWN = 6
 _INDUCTANCE = (
     "every closed path of charge needs an inductance, a resistance or a capacitance: put a resistor into this loop, as "
@@ -87,16 +85,8 @@ def _shows_inertia(point: Probe, mass: Floats) -> bool:
     if len(mass) <= FEW:
         return False
     heavy = np.diag(mass) > 0.0
-    if np.any(mass[~heavy]):
+    if np.any(mass[~heavy]) or not is_positive_definite(mass[np.ix_(heavy, heavy)]):
         return False
-    own = mass[np.ix_(heavy, heavy)]
-    scale = 1.0 / np.sqrt(np.diag(own))
-    own = own * scale[:, None] * scale
-    for parts in connected_blocks(own != 0.0).parts:
-        try:
-            np.linalg.cholesky(entries(own, parts) - _SAFE * np.eye(parts.rows.shape[1]))
-        except np.linalg.LinAlgError:
-            return False
     return independent(point.rows[:, ~heavy].T)
 
 

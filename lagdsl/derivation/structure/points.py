@@ -15,7 +15,8 @@ from lagdsl.derivation.structure.names import balance_rows, located
 from lagdsl.derivation.structure.row_sizes import Look, row_sizes
 from lagdsl.foundation.numerics.connected_blocks import Flags, Indices, Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer, descend
-from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, minimum_norms, null_space
+from lagdsl.foundation.numerics.part_by_part import is_positive_definite
+from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, null_space
 from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import Dimension
@@ -145,12 +146,17 @@ class Geometry:
     def mass(self, q: Floats, qd: Floats) -> Floats:
         return self.functions.evaluate("mass_matrix", *self._state(q, qd, self.w))[0]
 
-    def mass_in_doubt(self, q: Floats, qd: Floats) -> Floats | None:
-        """M, or None where it need not be formed: the equations are solved without it, and no pivot lost its digits."""
-        if isinstance(self.functions, ProgramFunctions) and self.functions.by_columns:
-            found = self.functions.evaluate("elimination", *self._state(q, qd, self.w))
-            if np.all(np.isfinite(found[0])) and found[-1] > _SAFE_PIVOT:
+    def mass_in_doubt(self, q: Floats, qd: Floats, *, regular: bool = False) -> Floats | None:
+        """M, or None where it need not be formed: it is written by columns, and `regular` at another general point; or
+        the equations are solved without it, and no pivot lost its digits."""
+        own, state = self.functions, self._state(q, qd, self.w)
+        if isinstance(own, ProgramFunctions) and own.by_columns:
+            if regular and own.momentum_is_finite(*state):
                 return None
+            if own.program.has("elimination"):
+                found = own.evaluate("elimination", *state)
+                if np.all(np.isfinite(found[0])) and found[-1] > _SAFE_PIVOT:
+                    return None
         return self.mass(q, qd)
 
     def project(self, q: Floats, rows: list[int]) -> Minimizer:
@@ -298,23 +304,31 @@ def probes(
     """
     found: list[Probe] = []
     rough: list[Probe] = []
+    regular = False  # M at one of them, and so at general ones
     base = space.project(space.q, rows)
     here = base.point if base.size <= HOLDS else space.q
     scale = 1.0
     directions = random_points(flat.coordinates, space.q, space.sizes, tries, seed)
     for direction, rates in zip(directions, random_rates(flat.coordinates, space.sizes, tries, seed), strict=True):
         step = _tangent(space, here, rows, (direction - space.q) / space.sizes) * space.sizes
-        probe = _probe(space, _inside(flat.coordinates, here + scale * step), rates, rows)
+        probe = _probe(space, _inside(flat.coordinates, here + scale * step), rates, rows, regular)
         if probe is None:
             scale *= 0.6
         else:
+            regular = regular or _is_regular(space, probe.mass)
             kept = found if probe.residual <= _EXACT else rough
             kept.append(_sharing(probe, kept[-1]) if kept else probe)
             here = probe.q
         if len(found) == wanted:
             return found
-    last = _probe(space, space.q, space.qd, rows)
+    last = _probe(space, space.q, space.qd, rows, regular)
     return found or rough[:wanted] or ([last] if last is not None else [])
+
+
+def _is_regular(space: Geometry, mass: Floats | None) -> bool:
+    """True if that is asked of no further M."""
+    by_columns = isinstance(space.functions, ProgramFunctions) and space.functions.by_columns
+    return mass is not None and by_columns and is_positive_definite(mass)
 
 
 def _sharing(probe: Probe, other: Probe) -> Probe:
@@ -344,13 +358,13 @@ def _inside(coordinates: tuple[Coordinate, ...], q: Floats) -> Floats:
     return np.clip(q, lower, upper)
 
 
-def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int]) -> Probe | None:
-    """The point nearest to `start`; None where there is none or a function is not finite."""
+def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int], regular: bool) -> Probe | None:
+    """The point nearest to `start`; None where there is none or a function is not finite. `regular`: M is elsewhere."""
     result = space.project(start, rows)
     if result.size > HOLDS:
         return None
     scaled = space.velocity(result.point, space.qd)[1] * space.sizes / space.row_sizes[:, None]
-    mass = space.mass_in_doubt(result.point, rates)
+    mass = space.mass_in_doubt(result.point, rates, regular=regular)
     if not np.all(np.isfinite(scaled)) or (mass is not None and not np.all(np.isfinite(mass))):
         return None
     return Probe(result.point, scaled, mass, result.size)
@@ -373,28 +387,3 @@ def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition)
         values = np.linalg.svd(blocks[live := blocks.any(axis=(1, 2))], compute_uv=False)  # open contacts are zero
         ranks[parts.labels[live]] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
     return ranks
-
-
-def solved(matrix: Floats, right: Floats, split: Partition) -> Floats:
-    """The least-squares solution of smallest norm, part by part."""
-    result = np.zeros(matrix.shape[1])
-    for parts in split.parts:
-        moving = np.any(right[parts.rows] != 0.0, axis=1)
-        blocks = entries(matrix, parts)[moving]
-        result[parts.columns[moving]] = minimum_norms(blocks, right[parts.rows[moving]])
-    return result
-
-
-def free_directions(matrix: Floats, split: Partition) -> Floats:
-    """Orthonormal columns that span the null space, part by part; columns without rows are free."""
-    n = matrix.shape[1]
-    bound = np.zeros(n, dtype=np.bool_)
-    found: list[Floats] = []
-    for parts in split.parts:
-        for block, columns in zip(entries(matrix, parts), parts.columns, strict=True):
-            bound[columns] = True
-            inner = null_space(block)
-            wide = np.zeros((n, inner.shape[1]))
-            wide[columns] = inner
-            found.append(wide)
-    return np.hstack([np.eye(n)[:, ~bound], *found])

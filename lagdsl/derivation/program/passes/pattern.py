@@ -87,6 +87,8 @@ def rates_pattern(program: Program) -> RatesPattern:
     component. Loads that depend on accelerations are not followed."""
     rows = _rates_rows(program)
     nq, count = len(program.layout.coordinates), len(rows)
+    if any(row.bit_count() == nq + count for row in rows):  # no two columns form a group
+        return RatesPattern()
     own = [members(row) for row in rows]
     places = np.repeat(np.arange(count), [len(row) for row in own])
     columns = np.concatenate([np.zeros(0, dtype=np.intp), *own])

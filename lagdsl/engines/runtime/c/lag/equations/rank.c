@@ -87,36 +87,130 @@ static double dot(size_t count, const double *x, const double *y)
     return (first + second) + (third + fourth) + lag_dot(count - k, x + k, y + k);
 }
 
+/* The line of place i of the lower half, to be indexed by places. */
+static double *line_of(const lag_rank_estimate *estimate, size_t i)
+{
+    return estimate->matrix.band + lag_index(estimate->matrix.start[i]) - lag_index(estimate->reach[i]);
+}
+
+/* Entry (i, j) of the triangle, j < i, by the entries of both lines before it, from place `from` on. */
+static double entry_of(const lag_rank_estimate *estimate, size_t i, size_t j, size_t from)
+{
+    const size_t reach = lag_index(estimate->reach[i]) > from ? lag_index(estimate->reach[i]) : from;
+    const size_t other = lag_index(estimate->reach[j]);
+    const size_t both = other > reach ? other : reach;
+    const double *line = line_of(estimate, i);
+    const double *above = line_of(estimate, j);
+    return (line[j] - dot(j - both, line + both, above + both)) / above[j];
+}
+
+/* The line of place i from place `from` on, its pivot last, which is returned. */
+static double eliminate_line(const lag_rank_estimate *estimate, size_t i, size_t from)
+{
+    const size_t reach = lag_index(estimate->reach[i]);
+    double *line = line_of(estimate, i);
+    for (size_t j = reach > from ? reach : from; j < i; ++j) {
+        line[j] = entry_of(estimate, i, j, from);
+        line[i] -= line[j] * line[j];
+    }
+    return line[i];
+}
+
+/* The row at place i follows from others: it stands for itself alone. */
+static void leave_out(lag_rank_estimate *estimate, size_t i)
+{
+    const size_t reach = lag_index(estimate->reach[i]);
+    double *line = line_of(estimate, i);
+    estimate->follows[lag_index(estimate->order[i])] = 1.0;
+    lag_fill(i - reach, 0.0, line + reach);
+    line[i] = 1.0;
+    for (size_t r = estimate->m - estimate->matrix.border; r < estimate->m; ++r) {
+        if (r > i && i >= lag_index(estimate->reach[r])) {
+            line_of(estimate, r)[i] = 0.0;
+        }
+    }
+}
+
+/* Of the square of the border's determinant, in its triangle, the part that is left where the row at place i stands before it: 1 - y' S^-1 y. */
+static double part_left(const lag_rank_estimate *estimate, size_t i)
+{
+    const size_t begin = estimate->m - estimate->matrix.border;
+    double *solved = estimate->columns.products; /* the triangle's inverse times y */
+    double part = 1.0;
+    for (size_t r = begin; r < estimate->m; ++r) {
+        double *line = line_of(estimate, r);
+        const int apart = i < lag_index(estimate->reach[r]);
+        const double y = apart ? 0.0 : entry_of(estimate, r, i, 0);
+        if (!apart) {
+            line[i] = y;
+        }
+        solved[r - begin] = (y - lag_dot(r - begin, line + begin, solved)) / line[r];
+        part -= solved[r - begin] * solved[r - begin];
+    }
+    return part;
+}
+
+/* Takes y y' of the row at place i from the matrix of which the border has the triangle, by hyperbolic rotations. */
+static void take_from_border(const lag_rank_estimate *estimate, size_t i)
+{
+    const size_t begin = estimate->m - estimate->matrix.border;
+    double *y = estimate->columns.products;
+    for (size_t r = begin; r < estimate->m; ++r) {
+        y[r - begin] = i < lag_index(estimate->reach[r]) ? 0.0 : line_of(estimate, r)[i];
+    }
+    for (size_t k = begin; k < estimate->m; ++k) {
+        double *pivot = line_of(estimate, k) + k;
+        const double sine = y[k - begin] / *pivot;
+        const double cosine = sqrt((1.0 - sine) * (1.0 + sine));
+        *pivot *= cosine;
+        for (size_t r = k + 1; r < estimate->m; ++r) {
+            double *entry = line_of(estimate, r) + k;
+            *entry = (*entry - sine * y[r - begin]) / cosine;
+            y[r - begin] = cosine * y[r - begin] - sine * *entry;
+        }
+    }
+}
+
+/* What a row leaves of itself beside those before it; `spare`: so many more may follow from others. False: none is left. */
+static int is_left(lag_rank_estimate *estimate, size_t i, double pivot, size_t *spare, double *least)
+{
+    if (*spare > 0 && pivot <= LAG_FOLLOWS * LAG_FOLLOWS) {
+        --*spare;
+        leave_out(estimate, i);
+        return 1;
+    }
+    *least = pivot < *least ? pivot : *least;
+    return pivot > 0.0;
+}
+
 /*
  * Cholesky's method within the band, without up to `spare` rows that follow from others. Returns the smallest pivot; zero where the matrix is
  * not positive definite.
+ *
+ * The rows of the border come first, and last in the band: the pivot of another row is that of the band times the part of the determinant
+ * that it leaves to the border. So pivots are those of dense rows at the top, which fill nothing where they stand.
  */
 static double least_pivot(lag_rank_estimate *estimate, size_t spare)
 {
+    const size_t begin = estimate->m - estimate->matrix.border;
     double least = (double)INFINITY;
-    for (size_t i = 0; i < estimate->m; ++i) {
-        const size_t reach = lag_index(estimate->reach[i]);
-        double *line = estimate->matrix.band + lag_index(estimate->matrix.start[i]);
-        double pivot = line[i - reach];
-        for (size_t j = reach; j < i; ++j) {
-            const size_t other = lag_index(estimate->reach[j]);
-            const double *above = estimate->matrix.band + lag_index(estimate->matrix.start[j]);
-            const size_t both = other > reach ? other : reach;
-            line[j - reach] = (line[j - reach] - dot(j - both, line + (both - reach), above + (both - other))) / above[j - other];
-            pivot -= line[j - reach] * line[j - reach];
-        }
-        if (spare > 0 && pivot <= LAG_FOLLOWS * LAG_FOLLOWS) {
-            --spare;
-            estimate->follows[lag_index(estimate->order[i])] = 1.0;
-            lag_fill(i - reach, 0.0, line);
-            line[i - reach] = 1.0;
-            continue;
-        }
-        if (!(pivot > 0.0)) {
+    for (size_t i = begin; i < estimate->m; ++i) {
+        const double pivot = eliminate_line(estimate, i, begin);
+        double *own = line_of(estimate, i) + i;
+        *own = sqrt(pivot);
+        if (!is_left(estimate, i, pivot, &spare, &least)) {
             return 0.0;
         }
-        least = pivot < least ? pivot : least;
-        line[i - reach] = sqrt(pivot);
+    }
+    for (size_t i = 0; i < begin; ++i) {
+        const double alone = eliminate_line(estimate, i, 0);
+        double *own = line_of(estimate, i) + i;
+        *own = sqrt(alone);
+        const double pivot = alone > 0.0 && begin < estimate->m ? alone * part_left(estimate, i) : alone;
+        if (!is_left(estimate, i, pivot, &spare, &least)) {
+            return 0.0;
+        }
+        take_from_border(estimate, i);
     }
     return least;
 }

@@ -3,7 +3,8 @@
  * that says yes too often rather than too seldom.
  *
  * It takes products of rows only, of those that last and depend on no others. Rows that share coordinates stand near to each other, in
- * the order of Cuthill and McKee; then J J' is a band along a chain of loops, and an estimate costs as much as the chain is long.
+ * the order of Cuthill and McKee; then J J' is a band along a chain of loops, and an estimate costs as much as the chain is long. A row that
+ * many others share columns with, Kirchhoff's law of a ground, stands in a border beside the band.
  *
  * While J stays near to one whose pivots are known, they are bounded by how far it has moved (Weyl's inequality), and nothing is decomposed.
  *
@@ -41,6 +42,7 @@ typedef struct lag_rank_estimate {
     double *follows, *trial;  /* (m) 1: the row follows from others there, which nobody said; the same now */
     struct {
         double *start, *band; /* (m + 1) where the line of each row begins in the lower half of a symmetric matrix of rows */
+        size_t border;        /* so many rows at the end of the order share columns with many others */
     } matrix;
 } lag_rank_estimate;
 

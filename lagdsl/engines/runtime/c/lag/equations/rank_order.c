@@ -1,6 +1,7 @@
-/* Places of the rows of an estimate: their order, and the band of their products. */
+/* Places of the rows of an estimate: their order, the border, and the band of their products. */
 #include "lag/equations/rank.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "lag/equations/entries.h"
@@ -9,7 +10,7 @@
 size_t lag_rank_estimate_memory(const lag_model *model)
 {
     const size_t m = model->nc;
-    return 6 * lag_entries_count(model) + 8 * m + 2 * (m + 1) + 2 * model->nq + 1 + m * (m + 1) / 2;
+    return 6 * lag_entries_count(model) + 8 * m + 2 * (m + 1) + 2 * (model->nq + 1) + m * (m + 1) / 2;
 }
 
 /* Columns of each row. */
@@ -47,7 +48,7 @@ static void list_rows(const lag_rank_estimate *estimate, double *first, double *
 static void append_neighbors(lag_rank_estimate *estimate, size_t row, const double *first, const double *rows, double *place, size_t *count)
 {
     const size_t begin = *count;
-    for (size_t k = lag_index(estimate->first[row]); k < lag_rank_end_of(estimate, row) && *count < estimate->m; ++k) {
+    for (size_t k = lag_index(estimate->first[row]); k < lag_rank_end_of(estimate, row) && *count < estimate->m - estimate->matrix.border; ++k) {
         const size_t column = lag_index(estimate->column[k]);
         for (size_t e = lag_index(first[column]); e < lag_index(first[column + 1]); ++e) {
             size_t at = *count;
@@ -66,12 +67,38 @@ static void append_neighbors(lag_rank_estimate *estimate, size_t row, const doub
     }
 }
 
-/* Rows next to each other, from the first one on: neighbors follow in turn, then what is not connected with them. */
-static void put_in_order(lag_rank_estimate *estimate, const double *first, const double *rows)
+/* Rows by the number of their entries, most first; `count` (n + 1) are how many rows have so many. */
+static void sort_by_entries(const lag_rank_estimate *estimate, double *by_entries, double *count)
 {
+    double next = 0.0;
+    lag_fill(estimate->n + 1, 0.0, count);
+    for (size_t i = 0; i < estimate->m; ++i) {
+        count[lag_rank_end_of(estimate, i) - lag_index(estimate->first[i])] += 1.0;
+    }
+    for (size_t entries = estimate->n + 1; entries-- > 0;) { /* where those with so many begin */
+        const double before = next;
+        next += count[entries];
+        count[entries] = before;
+    }
+    for (size_t i = 0; i < estimate->m; ++i) {
+        by_entries[lag_index(count[lag_rank_end_of(estimate, i) - lag_index(estimate->first[i])]++)] = (double)i;
+    }
+}
+
+/*
+ * Rows next to each other, from the first one on: neighbors follow in turn, then what is not connected with them. The rows of the border, the
+ * first of those by entries, come last.
+ */
+static void put_in_order(lag_rank_estimate *estimate, const double *first, const double *rows, const double *by_entries)
+{
+    const size_t begin = estimate->m - estimate->matrix.border;
     double *place = estimate->reach; /* 1 + where a row stands; 0: nowhere yet */
     size_t count = 0;
     lag_fill(estimate->m, 0.0, place);
+    for (size_t i = begin; i < estimate->m; ++i) {
+        estimate->order[i] = by_entries[i - begin];
+        place[lag_index(estimate->order[i])] = (double)(i + 1);
+    }
     for (size_t seed = 0; seed < estimate->m; ++seed) {
         size_t next = count;
         if (place[seed] == 0.0) {
@@ -84,9 +111,10 @@ static void put_in_order(lag_rank_estimate *estimate, const double *first, const
     }
 }
 
-/* The first row in the order that shares a column with each; `low` (n) is the first that has an entry in a column. */
+/* The first row in the order that shares a column with each, or the first of the border; `low` (n) is the first that has an entry in a column. */
 static void find_profile(lag_rank_estimate *estimate, double *low)
 {
+    const size_t begin = estimate->m - estimate->matrix.border;
     size_t next = 0;
     lag_fill(estimate->n, (double)estimate->m, low);
     for (size_t i = estimate->m; i-- > 0;) {
@@ -97,7 +125,7 @@ static void find_profile(lag_rank_estimate *estimate, double *low)
     }
     for (size_t i = 0; i < estimate->m; ++i) {
         const size_t row = lag_index(estimate->order[i]);
-        double reach = (double)i;
+        double reach = (double)(i < begin ? i : begin);
         for (size_t k = lag_index(estimate->first[row]); k < lag_rank_end_of(estimate, row); ++k) {
             reach = low[lag_index(estimate->column[k])] < reach ? low[lag_index(estimate->column[k])] : reach;
         }
@@ -106,6 +134,49 @@ static void find_profile(lag_rank_estimate *estimate, double *low)
         next += i - lag_index(reach) + 1;
     }
     estimate->matrix.start[estimate->m] = (double)next;
+}
+
+/* Products that the border adds to Cholesky's method, whose other rows have `inner` entries beside their pivots in all. */
+static double products_of_border(const lag_rank_estimate *estimate, double border, double inner)
+{
+    return border * inner + 1.5 * border * border * ((double)estimate->m - border) + border * border * border / 6.0;
+}
+
+/* Products of Cholesky's method in this order. */
+static double products(const lag_rank_estimate *estimate)
+{
+    double count = 0.0;
+    double inner = 0.0;
+    for (size_t i = 0; i < estimate->m - estimate->matrix.border; ++i) {
+        const double entries = (double)i - estimate->reach[i];
+        count += 0.5 * entries * entries;
+        inner += entries;
+    }
+    return count + products_of_border(estimate, (double)estimate->matrix.border, inner);
+}
+
+/* The order, with the border that makes the fewest products. Twice as many rows each time: all borders are looked at soon. */
+static void arrange(lag_rank_estimate *estimate, double *low)
+{
+    const double *first = estimate->columns.first, *rows = estimate->now;
+    double *by_entries = estimate->trial;
+    double least = (double)INFINITY;
+    size_t best = 0;
+    size_t border = 0;
+    sort_by_entries(estimate, by_entries, low);
+    for (; border < estimate->m && products_of_border(estimate, (double)border, 0.0) < least; border = border > 0 ? 2 * border : 1) {
+        estimate->matrix.border = border;
+        put_in_order(estimate, first, rows, by_entries);
+        find_profile(estimate, low);
+        const double count = products(estimate);
+        best = count < least ? border : best;
+        least = count < least ? count : least;
+    }
+    if (estimate->matrix.border != best) {
+        estimate->matrix.border = best;
+        put_in_order(estimate, first, rows, by_entries);
+        find_profile(estimate, low);
+    }
 }
 
 /* Entries of each column, with the place of their rows in the order, ascending. */
@@ -148,14 +219,13 @@ void lag_rank_estimate_place(lag_rank_estimate *estimate, const lag_model *model
     estimate->columns.place = lag_take(&memory, lag_entries_count(model));
     estimate->columns.entry = lag_take(&memory, lag_entries_count(model));
     estimate->columns.products = lag_take(&memory, 4 * m);
-    double *low = lag_take(&memory, n);
+    double *low = lag_take(&memory, n + 1);
     estimate->matrix.band = memory;
     if (m > 0) {
         list_columns(estimate);
         list_rows(estimate, estimate->columns.first, estimate->now);
-        put_in_order(estimate, estimate->columns.first, estimate->now);
+        arrange(estimate, low);
         list_entries(estimate);
-        find_profile(estimate, low);
     }
     lag_fill(m, 0.0, estimate->follows);
     lag_fill(m, 0.0, estimate->trial);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
 #include "lag/initial/initial_rates.h"
 #include "lag/linalg/arena.h"
@@ -61,6 +62,26 @@ static void place(lag_rates *r, lag_initialization *b)
 
 /* ---- conditions ---- */
 
+/* True if rows are clearly independent and the start values satisfy all of them: then these are the rates. */
+static int are_as_wanted(const lag_rates *r)
+{
+    lag_initialization *b = r->b;
+    const lag_model *model = b->motion->model;
+    const size_t n = model->nq;
+    int alike = b->equations.slopes == NULL;
+    for (size_t i = 0; i < model->nc && alike; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        const double right = -b->phi[i] / b->row_sizes[i];
+        double sum = 0.0;
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            const size_t j = lag_entry_column(&entries, k);
+            sum += b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i] * (b->starts.x[n + j] / b->sizes[j]);
+        }
+        alike = fabs(sum - right) <= LAG_EXACT * (1.0 + fabs(right));
+    }
+    return alike && lag_initialization_is_regular(b, r->svd);
+}
+
 /* J v + b = 0, the initial equations as they are near the rates of the start, and the fixed rates. */
 static void state_conditions(lag_rates *r, const double *x)
 {
@@ -92,17 +113,6 @@ static void state_conditions(lag_rates *r, const double *x)
         }
     }
     r->conditions = count;
-}
-
-/* True if rows are clearly independent and the start values satisfy all of them: then these are the rates. */
-static int are_as_wanted(lag_rates *r)
-{
-    const size_t n = r->b->motion->model->nq;
-    int alike = r->b->equations.slopes == NULL;
-    for (size_t i = 0; i < r->conditions && alike; ++i) {
-        alike = fabs(lag_dot(n, r->table + i * n, r->wanted) - r->right[i]) <= LAG_EXACT * (1.0 + fabs(r->right[i]));
-    }
-    return alike && lag_initialization_is_regular(r->b, r->svd);
 }
 
 /* M behind the conditions, and the rates that belong together. */
@@ -346,11 +356,11 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
     memcpy(b->q, x, n * sizeof(double));
     lag_fill(n, 0.0, b->qd);
     lag_initialization_velocities(b);
-    state_conditions(&r, x);
     if (are_as_wanted(&r)) {
         memcpy(x + n, b->starts.x + n, n * sizeof(double));
         return;
     }
+    state_conditions(&r, x);
     find_parts(&r);
     int possible = 1;
     for (size_t which = 0; which < r.parts.count && possible; ++which) {

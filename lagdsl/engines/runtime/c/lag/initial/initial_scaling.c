@@ -257,17 +257,22 @@ static void find_sizes_of_parts(lag_initialization *b, const double *q)
 {
     const double *group = b->starts.widths;
     const lag_parts parts = find_parts(b, q);
+    double *most = b->sizes + b->motion->model->nq; /* by group, until sizes of rates stand there */
     for (size_t which = 0; which < parts.count; ++which) {
         size_t first = 0;
-        const size_t count = lag_parts_columns(&parts, which, &first);
-        for (size_t k = first; k < first + count; ++k) {
-            const size_t j = (size_t)parts.column[k];
-            double most = 0.0;
-            for (size_t l = first; l < first + count; ++l) {
-                const size_t other = (size_t)parts.column[l];
-                most = group[other] == group[j] && isfinite(q[other]) ? fmax(most, fabs(q[other])) : most;
-            }
-            b->sizes[j] = isfinite(b->starts.written[j]) ? 1.0 : most > 0.0 ? most : 1.0; /* angles have a cap, and size 1 */
+        const size_t end = lag_parts_columns(&parts, which, &first) + first;
+        for (size_t k = first; k < end; ++k) {
+            most[lag_index(group[lag_index(parts.column[k])])] = 0.0;
+        }
+        for (size_t k = first; k < end; ++k) {
+            const size_t j = lag_index(parts.column[k]);
+            double *its = most + lag_index(group[j]);
+            *its = isfinite(q[j]) ? fmax(*its, fabs(q[j])) : *its;
+        }
+        for (size_t k = first; k < end; ++k) {
+            const size_t j = lag_index(parts.column[k]);
+            const double its = most[lag_index(group[j])];
+            b->sizes[j] = isfinite(b->starts.written[j]) ? 1.0 : its > 0.0 ? its : 1.0; /* angles have a cap, and size 1 */
         }
     }
 }
