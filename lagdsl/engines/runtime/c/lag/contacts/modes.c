@@ -9,7 +9,7 @@
 /* A force that is beyond a limit by this part of it is at the limit. */
 static const double BEYOND = 1e-10;
 /* Friction that bears this part of its limit beyond its force does not leave with others. */
-static const double SPARED = 1e-7;
+static const double SPARED = 1e-9;
 /* A closed contact pulls by more than this part of its largest force. */
 static const double PULL = 1e-9;
 /* In `normal`: a contact that is open and may close. */
@@ -150,7 +150,7 @@ static int leaves_group(const lag_modes *modes, size_t side, const double *left)
     for (size_t other = model->ncontact; other < model->ncontact + model->nfriction; ++other) {
         leaves = leaves || (left[other] != 0.0 && shares(modes, other) && modes->reserve.member[other] == modes->reserve.member[side]);
     }
-    return leaves && modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+    return leaves && modes->reserve.slack[side] - modes->frictions->reserve[side] <= SPARED * modes->reserve.size[side];
 }
 
 /* 1: a contact, or behind them a friction, was found to leave its mode. */
@@ -191,7 +191,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
         modes->loose[k] = 0.0;
         if (acts && moved && (stuck || !gone || lag_frictions_turns(frictions, k))) {
             lag_modes_set_heading(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
-        } else if (acts && gone && stuck) {
+        } else if (acts && gone && stuck && !(shares(modes, side) && hypot(force[0], force[1]) <= SPARED * modes->reserve.size[side])) {
             lag_modes_set_heading(modes, k, force, hypot(force[0], force[1]), -1.0);
         } else {
             modes->loose[k] = acts;

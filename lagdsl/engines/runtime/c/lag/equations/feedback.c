@@ -13,7 +13,7 @@
 enum { MOST_STEPS = 25 };
 /* Steps with derivatives of an earlier state: those that contract find loads in fewer. So many times FOUND may be round-off. */
 enum { MOST_CHORDS = 12, ROUNDINGS = 10 };
-/* Loads are found when they change by less than this part of the largest of each. */
+/* Loads are found when they change by less than this part of the largest of each, and of what the others add to it. */
 static const double FOUND = 1e-14;
 /* A determinant below this is zero. */
 static const double WEDGED = 1e-9;
@@ -50,7 +50,7 @@ typedef struct feedback {
     lag_arguments at;        /* with w, qdd and lam of its own */
     double *load;            /* (nload) entries of that w */
     lag_loads loads;         /* L there */
-    double *size;            /* (nload) the largest magnitude of each */
+    double *size;            /* (nload) the largest magnitude of each, and of its terms */
     double *slope;           /* (nload, nload) of s - L(s), decomposed */
     double *pivot;           /* (nload) */
     double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
@@ -105,13 +105,13 @@ static lag_status evaluate_loads(feedback *f, double *qdd, double *lam)
     return status == LAG_OK ? lag_loads_gain(&f->loads, f->model, &f->at) : status;
 }
 
-/* Changes of qdd and lam with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
+/* Changes of qdd and lam with each of the loads: they are affine in them, and a load so large that other forces are its rounding errors shows them alone. */
 static lag_status find_changes(feedback *f, const double *qdd, const double *lam)
 {
     const size_t n = f->model->nq;
+    const double by = 1.0 / FOUND;
     lag_status status = LAG_OK;
     for (size_t k = 0; k < f->model->nload && status == LAG_OK; ++k) {
-        const double by = f->size[k] > 0.0 ? f->size[k] : 1.0;
         const double kept = f->load[k];
         f->load[k] = kept + by;
         status = f->solve(f->context, &f->at, f->again, f->qdd, f->lam);
@@ -140,6 +140,7 @@ static lag_status factor(feedback *f)
                 lag_dot(f->model->nc, f->loads.by_multiplier + i * f->model->nc, f->lam_change + k * f->model->nc);
             f->slope[i * count + k] = (i == k ? 1.0 : 0.0) - change;
             largest = fmax(largest, fabs(f->slope[i * count + k]));
+            f->size[i] = fmax(f->size[i], fabs(change * f->load[k]));
         }
         size *= fmax(largest, 1.0);
     }
