@@ -11,7 +11,7 @@ from models.corpus import path_of
 import lagdsl
 
 G_N, M, RISE = 9.80665, 20.0, 20.0
-OPTIONS = ({"tolerance": 1e-3}, {"tolerance": 1e-6}, {}, {"tolerance": 1e-10}, {"solver": "rk4", "step": 1e-3})
+OPTIONS = ({"tolerance": 1e-3}, {"tolerance": 1e-6}, {}, {"tolerance": 1e-10}, {"solver": "rk4", "step": 1e-2})
 
 
 @cache

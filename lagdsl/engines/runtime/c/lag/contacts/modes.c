@@ -8,7 +8,7 @@
 
 /* A force that is beyond a limit by this part of it is at the limit. */
 static const double BEYOND = 1e-10;
-/* Friction that bears this part of its limit beyond its force does not leave with others. */
+/* Friction leaves with others where it bears beyond its force what bounds them all, to this part of their forces; a force below it has no direction. */
 static const double SPARED = 1e-9;
 /* A closed contact pulls by more than this part of its largest force. */
 static const double PULL = 1e-9;
@@ -142,7 +142,7 @@ static int shares(const lag_modes *modes, size_t side)
     return !isnan(modes->frictions->reserve[side]);
 }
 
-/* 1: what shares undetermined forces leaves, as its group has no reserve left, and itself it has none. */
+/* 1: what shares undetermined forces leaves, as its group has no reserve left, and it is what bounds that. */
 static int leaves_group(const lag_modes *modes, size_t side, const double *left)
 {
     const lag_model *model = modes->motion->model;

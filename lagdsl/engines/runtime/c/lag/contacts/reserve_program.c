@@ -122,16 +122,6 @@ static void add_tangent(lag_reserve *r, program *p, size_t k, const double *alon
     }
 }
 
-/* Forces of these active rows, and those that the limit of friction k follows, tell the size of the forces of the group. */
-static void include_limit(lag_reserve *r, size_t k)
-{
-    const double *gain = r->frictions->sticking_gain + k * r->motion->model->nc;
-    for (size_t j = 0; j < r->count; ++j) {
-        const size_t row = (size_t)r->active[j];
-        r->force_size = gain[row] != 0.0 ? fmax(r->force_size, fabs(r->motion->lam[row]) * r->length[j]) : r->force_size;
-    }
-}
-
 static void add_friction(lag_reserve *r, program *p, size_t k)
 {
     const size_t *rows = r->motion->model->friction_rows + (size_t)r->frictions->first[k];
@@ -257,12 +247,12 @@ void lag_reserve_find(lag_reserve *r, double group)
     int any = 0;
     r->force_size = 0.0;
     for (size_t k = 0; k < r->count; ++k) {
-        r->force_size = r->group[k] == group ? fmax(r->force_size, fabs(r->motion->lam[(size_t)r->active[k]]) * r->length[k]) : r->force_size;
-    }
-    for (size_t k = 0; k < model->nfriction; ++k) {
-        if (is_in(r, k, group)) {
-            include_limit(r, k);
+        const size_t row = (size_t)r->active[k];
+        int enters = r->group[k] == group;
+        for (size_t f = 0; f < model->nfriction; ++f) { /* a limit follows it */
+            enters = enters || (r->frictions->sticking_gain[f * model->nc + row] != 0.0 && is_in(r, f, group));
         }
+        r->force_size = enters ? fmax(r->force_size, fabs(r->motion->lam[row]) * r->length[k]) : r->force_size;
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         if (is_in(r, k, group)) {

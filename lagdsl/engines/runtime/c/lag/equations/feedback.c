@@ -53,6 +53,8 @@ typedef struct feedback {
     double *size;            /* (nload) the largest magnitude of each, and of its terms */
     double *slope;           /* (nload, nload) of s - L(s), decomposed */
     double *pivot;           /* (nload) */
+    double *residual;        /* (nload) L(s) - s */
+    double passed;           /* the largest change of a load by the last changes of all, as a part of its size */
     double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
     double *qdd, *lam;       /* (nq) (nc) */
     lag_solve_with_loads *solve;
@@ -64,7 +66,7 @@ typedef struct feedback {
 size_t lag_feedback_memory(const lag_model *model)
 {
     const size_t each = model->nq + model->nc;
-    return model->nload == 0 ? 0 : model->nw + model->nload * (2 + each + model->nload) + lag_loads_memory(model) + each;
+    return model->nload == 0 ? 0 : model->nw + model->nload * (3 + each + model->nload) + lag_loads_memory(model) + each;
 }
 
 size_t lag_feedback_chord_memory(const lag_model *model)
@@ -81,6 +83,7 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
     lag_loads_place(&f.loads, model, lag_take(&memory, lag_loads_memory(model)));
     f.size = lag_take(&memory, count);
     f.pivot = lag_take(&memory, count);
+    f.residual = lag_take(&memory, count);
     f.qdd_change = lag_take(&memory, count * n);
     f.lam_change = lag_take(&memory, count * model->nc);
     f.slope = lag_take(&memory, count * count);
@@ -163,11 +166,15 @@ static lag_status change_loads(feedback *f, const double *slope, const double *p
     for (size_t i = 0; i < count; ++i) {
         f->loads.value[i] -= f->load[i];
     }
+    memcpy(f->residual, f->loads.value, count * sizeof(double));
+    f->passed = 0.0;
     lag_lu_solve(count, slope, pivot, f->loads.value);
     for (size_t i = 0; i < count; ++i) {
         f->load[i] += f->loads.value[i];
         f->size[i] = fmax(f->size[i], fabs(f->load[i]));
-        *left = fmax(*left, f->size[i] > 0.0 ? fabs(f->loads.value[i]) / f->size[i] : 0.0);
+        const double size = f->size[i] > 0.0 ? f->size[i] : 1.0;
+        *left = fmax(*left, fabs(f->loads.value[i]) / size);
+        f->passed = fmax(f->passed, fabs(f->loads.value[i] - f->residual[i]) / size);
     }
     return lag_finite(count, f->load) ? LAG_OK : LAG_NO_FORCES;
 }
@@ -213,7 +220,8 @@ static lag_status find_loads(feedback *f, double *qdd, double *lam)
         status = factor(f);
         status = status == LAG_OK ? change_loads(f, f->slope, f->pivot, &left) : status;
         status = status == LAG_OK ? evaluate_loads(f, qdd, lam) : status;
-        if (status == LAG_OK && (left <= FOUND || (k > 0 && left >= before && before < sqrt(FOUND)))) {
+        const int ends = k > 0 && (f->passed <= FOUND || (left >= before && before < sqrt(FOUND))); /* loads of rounding errors change no others */
+        if (status == LAG_OK && (left <= FOUND || ends)) {
             return f->wedged ? LAG_NO_FORCES : LAG_OK;
         }
         before = left;
