@@ -50,7 +50,7 @@ def test_it_slides_and_tips_while_it_slides(below: float, options: dict[str, flo
 
 @pytest.mark.parametrize("mu", [0.1, 0.3, 0.7])
 def test_a_foot_that_friction_alone_presses(mu: float) -> None:
-    """Half of the weight is lifted at the left foot of a box that slides to the left: without friction it bears nothing."""
+    """Half of the weight is lifted at the left foot of a box that slides to the left: it bears friction's moment."""
     b, h = 0.4, 1.0
     text = path_of("tipping_box").read_text(encoding="utf-8")
     text = text.replace("coordinate Length x,", "coordinate Length x(der(start = -1 m/s)),")

@@ -42,7 +42,7 @@ REASONS: Mapping[str, Mapping[str, str]] = {
     "ladder_leaving_wall": {"x.start": BORDER, "y.start": BORDER},
     "ladder_with_friction": {"x.start": BORDER, "y.start": BORDER},
     "library/ball_on_an_incline": {"rolls.r[2].start": BORDER},
-    "library/balls_in_contact": {"second.r[1].start": ORDER, "second.r[2].start": ORDER},
+    "library/balls_in_contact": {"second.r[1].start": ORDER},
     "library/blocks_sources": {"ramp.start": ORDER},
     "library/boxes_in_contact": {"motion.r[2].start": BORDER},
     "library/cylinder_on_an_incline": {"rolls.r[2].start": BORDER},

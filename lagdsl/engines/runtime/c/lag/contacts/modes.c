@@ -260,7 +260,7 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
         double *closed = lag_contacts_flag(modes->contacts, i);
-        *closed = modes->normal[i] == CANDIDATE ? 0.0 : *closed;
+        *closed = modes->normal[i] == CANDIDATE && lag_modes_is_touched(modes, contact_row(modes, i)) ? 0.0 : *closed;
     }
     status = tried && status == LAG_OK ? evaluate_forces(modes, t, x) : status;
     return status == LAG_OK ? find_touched_modes(modes, t, x, left) : status;
