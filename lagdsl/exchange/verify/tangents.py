@@ -198,7 +198,10 @@ class _Table:
         events = [event for event in motion.events if event.time <= t + self._together]
         later = (self._together < after.time - event.time for event, after in pairwise(events))
         instants = accumulate(later, initial=0)
-        return [told for _, told in sorted((k, (event.kind, event.name)) for k, event in zip(instants, events))]
+        return [
+            told
+            for _, told in sorted((k, (event.kind, event.name)) for k, event in zip(instants, events, strict=False))
+        ]
 
     def add(self, sides: Sequence[Trajectory], part: float) -> None:
         """Differences of the sixth order of rows that have the same events behind them; those of the fourth order tell
