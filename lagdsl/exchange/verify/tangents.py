@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate, pairwise
 from typing import TypeAlias
 
 import numpy as np
@@ -193,7 +194,14 @@ class _Table:
         return 1e-9 * float(self.grid[-1] - self.grid[0])
 
     def _before(self, motion: Trajectory, t: float) -> _Events:
-        return [(event.kind, event.name) for event in motion.events if event.time <= t + self._together]
+        """Up to t; of what happens together, as in islands that move by themselves, none is the first."""
+        events = [event for event in motion.events if event.time <= t + self._together]
+        later = (self._together < after.time - event.time for event, after in pairwise(events))
+        instants = accumulate(later, initial=0)
+        return [
+            told
+            for _, told in sorted((k, (event.kind, event.name)) for k, event in zip(instants, events, strict=False))
+        ]
 
     def add(self, sides: Sequence[Trajectory], part: float) -> None:
         """Differences of the sixth order of rows that have the same events behind them; those of the fourth order tell

@@ -8,8 +8,8 @@
 
 /* A force that is beyond a limit by this part of it is at the limit. */
 static const double BEYOND = 1e-10;
-/* Friction that bears this part of its limit beyond its force does not leave with others. */
-static const double SPARED = 1e-7;
+/* Friction leaves with others where it bears beyond its force what bounds them all, to this part of their forces; a force below it has no direction. */
+static const double SPARED = 1e-9;
 /* A closed contact pulls by more than this part of its largest force. */
 static const double PULL = 1e-9;
 /* In `normal`: a contact that is open and may close. */
@@ -142,7 +142,7 @@ static int shares(const lag_modes *modes, size_t side)
     return !isnan(modes->frictions->reserve[side]);
 }
 
-/* 1: what shares undetermined forces leaves, as its group has no reserve left, and itself it has none. */
+/* 1: what shares undetermined forces leaves, as its group has no reserve left, and it is what bounds that. */
 static int leaves_group(const lag_modes *modes, size_t side, const double *left)
 {
     const lag_model *model = modes->motion->model;
@@ -150,7 +150,7 @@ static int leaves_group(const lag_modes *modes, size_t side, const double *left)
     for (size_t other = model->ncontact; other < model->ncontact + model->nfriction; ++other) {
         leaves = leaves || (left[other] != 0.0 && shares(modes, other) && modes->reserve.member[other] == modes->reserve.member[side]);
     }
-    return leaves && modes->reserve.slack[side] <= SPARED * modes->reserve.size[side];
+    return leaves && modes->reserve.slack[side] - modes->frictions->reserve[side] <= SPARED * modes->reserve.size[side];
 }
 
 /* 1: a contact, or behind them a friction, was found to leave its mode. */
@@ -191,7 +191,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
         modes->loose[k] = 0.0;
         if (acts && moved && (stuck || !gone || lag_frictions_turns(frictions, k))) {
             lag_modes_set_heading(modes, k, frictions->slip + lag_modes_first(modes, k), speed, 1.0);
-        } else if (acts && gone && stuck) {
+        } else if (acts && gone && stuck && !(shares(modes, side) && hypot(force[0], force[1]) <= SPARED * modes->reserve.size[side])) {
             lag_modes_set_heading(modes, k, force, hypot(force[0], force[1]), -1.0);
         } else {
             modes->loose[k] = acts;
@@ -260,7 +260,7 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
         double *closed = lag_contacts_flag(modes->contacts, i);
-        *closed = modes->normal[i] == CANDIDATE ? 0.0 : *closed;
+        *closed = modes->normal[i] == CANDIDATE && lag_modes_is_touched(modes, contact_row(modes, i)) ? 0.0 : *closed;
     }
     status = tried && status == LAG_OK ? evaluate_forces(modes, t, x) : status;
     return status == LAG_OK ? find_touched_modes(modes, t, x, left) : status;

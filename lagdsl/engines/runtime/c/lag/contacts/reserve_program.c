@@ -247,7 +247,12 @@ void lag_reserve_find(lag_reserve *r, double group)
     int any = 0;
     r->force_size = 0.0;
     for (size_t k = 0; k < r->count; ++k) {
-        r->force_size = r->group[k] == group ? fmax(r->force_size, fabs(r->motion->lam[(size_t)r->active[k]]) * r->length[k]) : r->force_size;
+        const size_t row = (size_t)r->active[k];
+        int enters = r->group[k] == group;
+        for (size_t f = 0; f < model->nfriction; ++f) { /* a limit follows it */
+            enters = enters || (r->frictions->sticking_gain[f * model->nc + row] != 0.0 && is_in(r, f, group));
+        }
+        r->force_size = enters ? fmax(r->force_size, fabs(r->motion->lam[row]) * r->length[k]) : r->force_size;
     }
     for (size_t k = 0; k < model->nfriction; ++k) {
         if (is_in(r, k, group)) {

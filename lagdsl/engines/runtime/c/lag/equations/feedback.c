@@ -13,7 +13,7 @@
 enum { MOST_STEPS = 25 };
 /* Steps with derivatives of an earlier state: those that contract find loads in fewer. So many times FOUND may be round-off. */
 enum { MOST_CHORDS = 12, ROUNDINGS = 10 };
-/* Loads are found when they change by less than this part of the largest of each. */
+/* Loads are found when they change by less than this part of the largest of each, and of what the others add to it. */
 static const double FOUND = 1e-14;
 /* A determinant below this is zero. */
 static const double WEDGED = 1e-9;
@@ -50,9 +50,11 @@ typedef struct feedback {
     lag_arguments at;        /* with w, qdd and lam of its own */
     double *load;            /* (nload) entries of that w */
     lag_loads loads;         /* L there */
-    double *size;            /* (nload) the largest magnitude of each */
+    double *size;            /* (nload) the largest magnitude of each, and of its terms */
     double *slope;           /* (nload, nload) of s - L(s), decomposed */
     double *pivot;           /* (nload) */
+    double *residual;        /* (nload) L(s) - s */
+    double passed;           /* the largest change of a load by the last changes of all, as a part of its size */
     double *qdd_change, *lam_change; /* (nload, nq) (nload, nc) of qdd and lam for a unit load */
     double *qdd, *lam;       /* (nq) (nc) */
     lag_solve_with_loads *solve;
@@ -64,7 +66,7 @@ typedef struct feedback {
 size_t lag_feedback_memory(const lag_model *model)
 {
     const size_t each = model->nq + model->nc;
-    return model->nload == 0 ? 0 : model->nw + model->nload * (2 + each + model->nload) + lag_loads_memory(model) + each;
+    return model->nload == 0 ? 0 : model->nw + model->nload * (3 + each + model->nload) + lag_loads_memory(model) + each;
 }
 
 size_t lag_feedback_chord_memory(const lag_model *model)
@@ -81,6 +83,7 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
     lag_loads_place(&f.loads, model, lag_take(&memory, lag_loads_memory(model)));
     f.size = lag_take(&memory, count);
     f.pivot = lag_take(&memory, count);
+    f.residual = lag_take(&memory, count);
     f.qdd_change = lag_take(&memory, count * n);
     f.lam_change = lag_take(&memory, count * model->nc);
     f.slope = lag_take(&memory, count * count);
@@ -105,13 +108,13 @@ static lag_status evaluate_loads(feedback *f, double *qdd, double *lam)
     return status == LAG_OK ? lag_loads_gain(&f->loads, f->model, &f->at) : status;
 }
 
-/* Changes of qdd and lam with each of the loads: they are affine in them, so a difference of any length is exact but for round-off. */
+/* Changes of qdd and lam with each of the loads: they are affine in them, and a load so large that other forces are its rounding errors shows them alone. */
 static lag_status find_changes(feedback *f, const double *qdd, const double *lam)
 {
     const size_t n = f->model->nq;
+    const double by = 1.0 / FOUND;
     lag_status status = LAG_OK;
     for (size_t k = 0; k < f->model->nload && status == LAG_OK; ++k) {
-        const double by = f->size[k] > 0.0 ? f->size[k] : 1.0;
         const double kept = f->load[k];
         f->load[k] = kept + by;
         status = f->solve(f->context, &f->at, f->again, f->qdd, f->lam);
@@ -140,6 +143,7 @@ static lag_status factor(feedback *f)
                 lag_dot(f->model->nc, f->loads.by_multiplier + i * f->model->nc, f->lam_change + k * f->model->nc);
             f->slope[i * count + k] = (i == k ? 1.0 : 0.0) - change;
             largest = fmax(largest, fabs(f->slope[i * count + k]));
+            f->size[i] = fmax(f->size[i], fabs(change * f->load[k]));
         }
         size *= fmax(largest, 1.0);
     }
@@ -162,11 +166,15 @@ static lag_status change_loads(feedback *f, const double *slope, const double *p
     for (size_t i = 0; i < count; ++i) {
         f->loads.value[i] -= f->load[i];
     }
+    memcpy(f->residual, f->loads.value, count * sizeof(double));
+    f->passed = 0.0;
     lag_lu_solve(count, slope, pivot, f->loads.value);
     for (size_t i = 0; i < count; ++i) {
         f->load[i] += f->loads.value[i];
         f->size[i] = fmax(f->size[i], fabs(f->load[i]));
-        *left = fmax(*left, f->size[i] > 0.0 ? fabs(f->loads.value[i]) / f->size[i] : 0.0);
+        const double size = f->size[i] > 0.0 ? f->size[i] : 1.0;
+        *left = fmax(*left, fabs(f->loads.value[i]) / size);
+        f->passed = fmax(f->passed, fabs(f->loads.value[i] - f->residual[i]) / size);
     }
     return lag_finite(count, f->load) ? LAG_OK : LAG_NO_FORCES;
 }
@@ -212,7 +220,8 @@ static lag_status find_loads(feedback *f, double *qdd, double *lam)
         status = factor(f);
         status = status == LAG_OK ? change_loads(f, f->slope, f->pivot, &left) : status;
         status = status == LAG_OK ? evaluate_loads(f, qdd, lam) : status;
-        if (status == LAG_OK && (left <= FOUND || (k > 0 && left >= before && before < sqrt(FOUND)))) {
+        const int ends = k > 0 && (f->passed <= FOUND || (left >= before && before < sqrt(FOUND))); /* loads of rounding errors change no others */
+        if (status == LAG_OK && (left <= FOUND || ends)) {
             return f->wedged ? LAG_NO_FORCES : LAG_OK;
         }
         before = left;
