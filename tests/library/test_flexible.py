@@ -40,8 +40,10 @@ end Clamped;
 
 def _exact(n: int) -> lagdsl.Model:
     return _clamped(
-        f"ExactBeam beam(L = 2 m, A = 1 cm^2, I = 100 mm^4, n = {n})",
-        f"output Torque m[{n}] = beam.moment; output Force s[{n}] = beam.shear, a[{n}] = beam.normal;",
+        f"ExactBeam beam(L = 2 m, A = 1 cm^2, I = 100 mm^4, n = {n}, load = {{0, w}})",
+        f"""parameter Real w(unit = "N/m") = 0;
+  output Torque m[{n}] = beam.moment;
+  output Force s[{n}] = beam.shear, a[{n}] = beam.normal;""",
     )
 
 
@@ -109,6 +111,15 @@ def test_a_load_at_the_end_bends_two_modes_as_statics_says() -> None:
     assert value["p[1]"] == pytest.approx(-force * 2 * fibre / 100e-12, rel=1e-4)
 
 
+def test_the_exact_beam_sags_under_its_load() -> None:
+    """w x^2 (6 L^2 - 4 L x + x^2)/(24 E I) at the nodes, but for a second order of the length l of elements: strains in
+    their middles take w l^2 x (L - x)/(12 E I) off."""
+    w, length, x = -0.01, 2, np.linspace(0.5, 2, 4)
+    y = _exact(4).trim(parameters={"w": w}).point.q[4:8]
+    expected = x**2 * (6 * length**2 - 4 * length * x + x**2) / 24 - 0.5**2 * x * (length - x) / 12
+    assert y == pytest.approx(w / EI * expected, rel=3e-5)
+
+
 def test_forces_in_the_exact_beam_balance_the_load() -> None:
     model = _exact(4)
     point = model.trim(parameters={"F": 5.0}).point
@@ -174,3 +185,27 @@ end Supported;
     point = model.trim().point
     told = dict(zip(model.outputs, np.asarray(model.output(0.0, point.q, point.qd)).ravel(), strict=True))
     assert told["support"] == pytest.approx(-0.025, rel=3e-3)
+
+
+def test_a_floor_under_the_end_bears_its_part() -> None:
+    """A force in the middle presses the end of a cantilever by 1 mm onto a floor, where it stays. Clamp and floor share
+    the force: F L^2/4 (3 L - L/2)/6 - R L^3/3 = E I 1 mm; the error falls with the second order."""
+    exact = (5 * 2**3 / 48 - EI * 1e-3) * 3 / 2**3
+    errors = []
+    for n in (2, 4):
+        model = lagdsl.compile(f"""
+model Pressed
+  Lag.Flexible.ExactBeam beam(n = {n}, L = 2 m, A = 1 cm^2, I = 100 mm^4, zeta = 0.1);
+  gravity = 0;
+  connect(world, beam);
+  force -1 N*world.y at beam.node[{n // 2}];
+  contact floor: beam.frame_b.origin.y >= -1 mm with restitution = 0;
+  output Force support = multiplier(floor);
+end Pressed;
+""")
+        motion = model.simulate(stop=3, tolerance=1e-8, solver="radau")
+        assert [(event.name, event.kind) for event in motion.events] == [("floor", "impact"), ("floor", "closed")]
+        assert motion["beam.y[" + str(n) + "]"].min() == pytest.approx(-1e-3, abs=1e-10)
+        errors.append(motion["support"][-1] - exact)
+    assert abs(errors[1]) < 0.012 * exact
+    assert errors[0] / errors[1] == pytest.approx(4, abs=0.25)
