@@ -125,10 +125,13 @@ def test_a_failure_of_one_ends_the_motion_of_all() -> None:
 
 
 def test_each_tells_its_own_warnings() -> None:
-    text = BALLS.replace("end Balls;", """equation
+    text = BALLS.replace(
+        "end Balls;",
+        """equation
   assert(h[1] > 0.1 m, "ball 1 is low", AssertionLevel.warning);
   assert(h[3] > 0.2 m, "ball 3 is low", AssertionLevel.warning);
-end Balls;""")
+end Balls;""",
+    )
     motion = lagdsl.compile(text, engine="tape").simulate(stop=0.3, interval=0.01)
     told = [(each.name, each.time) for each in motion.events if each.kind == "warning"]
     assert [name for name, _ in told] == ["ball 1 is low", "ball 3 is low"]
