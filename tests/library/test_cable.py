@@ -52,6 +52,7 @@ def _catenary() -> tuple[float, float]:
 
 
 def test_a_catenary_sags_with_more_than_fourth_order() -> None:
+    """The elastic one: under its weight the cable is a tenth longer."""
     errors = []
     for n in (4, 8):
         model = lagdsl.compile(f"""
@@ -93,7 +94,7 @@ def test_a_hanging_cable_swings_as_bernoulli_and_bessel_say() -> None:
     assert values[:6] == pytest.approx(exact, rel=5e-3)
 
 
-def test_bending_frequencies_of_a_clamped_cable() -> None:
+def test_modes_of_a_clamped_cable() -> None:
     model = lagdsl.compile("""
 model Clamped
   Lag.Flexible.Cable cable(n = 4, dim = 2, clamped = true, L = 2 m, A = 1 cm^2, I = 1 mm^4, zeta = 0.03);
@@ -101,12 +102,24 @@ model Clamped
   connect(world, cable);
 end Clamped;
 """)
-    values = model.modes().eigenvalues
+    found = model.modes()
+    values = found.eigenvalues
     slow = sorted(values[values.imag > 0], key=abs)[:2]
     exact = np.array(CLAMPED_FREE) ** 2 / 4 * sqrt(210e9 * 1e-12 / (7700 * 1e-4))
     assert np.abs(slow) == pytest.approx(exact, rel=2e-3)
     assert np.abs(slow[0]) == pytest.approx(exact[0], rel=5e-5)
     assert -slow[0].real / abs(slow[0]) == pytest.approx(0.03, rel=1e-4)
+    across = [model.coordinates.index(f"cable.r[{k},2]") for k in (1, 2, 3, 4)]
+    for k, value in enumerate(slow):
+        shape = found.shapes[np.argmin(np.abs(values - value)), across]
+        expected = _shape(CLAMPED_FREE[k] * np.linspace(0.25, 1, 4), CLAMPED_FREE[k])
+        assert shape / shape[-1] == pytest.approx(expected / expected[-1], abs=2e-3)
+
+
+def _shape(x: np.ndarray, end: float) -> np.ndarray:
+    """Of a clamped beam: Timoshenko, Vibration Problems in Engineering, 3rd ed., section 57."""
+    ratio = (np.cosh(end) + np.cos(end)) / (np.sinh(end) + np.sin(end))
+    return np.asarray(np.cosh(x) - np.cos(x) - ratio * (np.sinh(x) - np.sin(x)))
 
 
 def test_it_bends_in_space_as_in_the_plane() -> None:

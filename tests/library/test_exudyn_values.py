@@ -12,7 +12,6 @@ from math import cos, radians, sin
 
 import numpy as np
 import pytest
-from choice import chosen, repeats
 
 import lagdsl
 
@@ -32,7 +31,6 @@ def _told(model: lagdsl.Model, **parameters: float) -> np.ndarray:
     return np.asarray(model.output(0.0, point.q, point.qd, parameters=parameters)).ravel()
 
 
-@repeats("test_two_beams_in_the_shape_of_an_L")
 def test_a_cantilever_under_a_force_and_a_torque() -> None:
     """geometricallyExactBeam2Dtest."""
     model = lagdsl.compile("""
@@ -74,9 +72,9 @@ def test_a_thick_cantilever_bends_much() -> None:
     assert (4 * fine - coarse) / 3 == pytest.approx(LARGE, rel=1e-4)
 
 
-@pytest.mark.parametrize(("n", "shortening", "deflection"), chosen(LINEAR, LINEAR[2:]))
+@pytest.mark.parametrize(("n", "shortening", "deflection"), LINEAR)
 def test_a_thick_cantilever_bends_a_little(n: int, shortening: float, deflection: float) -> None:
-    assert _told(_thick(n), F=62.5e3) == pytest.approx([shortening, deflection], rel=1e-4)
+    assert _told(_thick(n), F=62.5e3) == pytest.approx([shortening, deflection], rel=1e-6)
 
 
 @cache
@@ -96,10 +94,7 @@ end Thick;
 
 @pytest.mark.parametrize(
     ("load", "exudyn"),
-    chosen(
-        [(8.896, [-0.0143664, -0.0089529, 0.1089703]), (13.345, [-0.0303357, -0.0155488, 0.1565214])],
-        [(13.345, [-0.0303357, -0.0155488, 0.1565214])],
-    ),
+    [(8.896, [-0.0143664, -0.0089529, 0.1089703]), (13.345, [-0.0303357, -0.0155488, 0.1565214])],
 )
 def test_the_princeton_beam_at_45_degrees(load: float, exudyn: list[float]) -> None:
     """16 elements there and 8 here: half a percent of discretisation."""

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from lagdsl.exchange.fmi.export import export
+from lagdsl.exchange.fmi.variables.ports import Ports
 from lagdsl.exchange.fmi.variables.variables import Kind, Version
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
@@ -33,7 +34,9 @@ def motion_by_fmpy(
     experiment = compilation.flat.experiment
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "model.fmu"
-        export(compilation, path, version=version, kinds=(kind,), documented=False, sink=Sink())
+        # with entries of arrays as variables of their own: `names` are scalars
+        ports = Ports(scalar=True)
+        export(compilation, path, version=version, kinds=(kind,), documented=False, ports=ports, sink=Sink())
         try:
             found = simulate_fmu(
                 str(path),

@@ -5,8 +5,8 @@ from __future__ import annotations
 import atexit
 import re
 import tempfile
-from collections.abc import Iterable, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import product
@@ -107,13 +107,20 @@ def place() -> Path:
     return Path(_folder[0].name)
 
 
-def export_quickly(compilation: Compilation, path: Path, **options: Any) -> None:
-    """An FMU without its pages; in `make check` without its two hundred sources, which importers do not read, and it is
-    not tried out: the tests that ask for it run it. `test_package_export.py` shows whole ones."""
+@contextmanager
+def quickly() -> Iterator[None]:
+    """In `make check` FMUs are exported without their two hundred sources, which importers do not read, and are not
+    tried out: the tests that ask for them run them. `test_package_export.py` shows whole ones."""
     with ExitStack() as quick:
         if not ALL:
             quick.enter_context(patch("lagdsl.exchange.fmi.export.source_files", return_value={}))
             quick.enter_context(patch("lagdsl.exchange.fmi.export.try_out"))
+        yield
+
+
+def export_quickly(compilation: Compilation, path: Path, **options: Any) -> None:
+    """An FMU without its pages."""
+    with quickly():
         export(compilation, path, documented=False, **options)
 
 

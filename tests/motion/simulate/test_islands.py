@@ -122,3 +122,20 @@ def test_a_failure_of_one_ends_the_motion_of_all() -> None:
     reached = (2.0 * 1.35 / G) ** 0.5
     assert failed.value.time == pytest.approx(reached, abs=0.05)
     assert failed.value.trajectory.time[-1] == pytest.approx(reached, abs=0.05)
+
+
+def test_each_tells_its_own_warnings() -> None:
+    text = BALLS.replace(
+        "end Balls;",
+        """equation
+  assert(h[1] > 0.1 m, "ball 1 is low", AssertionLevel.warning);
+  assert(h[3] > 0.2 m, "ball 3 is low", AssertionLevel.warning);
+end Balls;""",
+    )
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=0.3, interval=0.01)
+    told = [(each.name, each.time) for each in motion.events if each.kind == "warning"]
+    assert [name for name, _ in told] == ["ball 1 is low", "ball 3 is low"]
+    fallen = [(2.0 * fall / G) ** 0.5 for fall in (0.1, 0.3)]
+    assert [time for _, time in told] == pytest.approx(fallen, abs=0.011)
+    impacts = [each.name for each in motion.events if each.kind == "impact"]
+    assert impacts == ["floor[1]", "floor[2]"]
