@@ -29,9 +29,9 @@ await build({ ...common, entryPoints: ["src/loader.ts"], outfile: "dist/loader.j
 await build({ ...common, entryPoints: ["src/worker.ts"], outfile: "dist/worker.js" });
 await build({ ...common, entryPoints: ["src/page.css"], outfile: "dist/page.css" });
 const notices = [];
-for (const name of ["three", "uplot"]) {
+for (const [name, license] of [["gifenc", "LICENSE.md"], ["three", "LICENSE"], ["uplot", "LICENSE"]]) {
   const { version } = JSON.parse(await readFile(`node_modules/${name}/package.json`, "utf8"));
-  notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/LICENSE`, "utf8")).trim()}\n`);
+  notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/${license}`, "utf8")).trim()}\n`);
 }
 await writeFile("dist/licenses.txt", notices.join("\n"));
 
