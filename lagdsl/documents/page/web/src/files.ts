@@ -1,5 +1,5 @@
 // What can be saved from the page: a table, films.
-import { applyPalette, GIFEncoder, quantize } from "gifenc";
+import { applyPalette, GIFEncoder, quantize } from "gifenc/src/index.js";
 import { make } from "./dom.ts";
 import type { Head } from "./head.ts";
 import type { Motion } from "./motion.ts";

@@ -1,5 +1,5 @@
 // Of gifenc, which comes without types, as much as films need.
-declare module "gifenc" {
+declare module "gifenc/src/index.js" {
   type Palette = number[][];
   export function quantize(pixels: Uint8ClampedArray, most: number): Palette;
   export function applyPalette(pixels: Uint8ClampedArray, palette: Palette): Uint8Array;

@@ -4,7 +4,6 @@ import {
   MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene, Sprite, Vector2, Vector3,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { gauge, isGauge } from "./gauges.ts";
 import type { Head, Part, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above } from "./numbers.ts";
@@ -74,7 +73,8 @@ export class Stage {
     this.places = placesOf(head);
     this.box = this.along(whole);
     const { length, scales, coil } = head.stage;
-    this.sizes = { length, scales, coil, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
+    const boards = head.stage.boards.map((board) => new Matrix4().fromArray(board));
+    this.sizes = { length, scales, coil, boards, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.stage.axes[1]);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -104,17 +104,13 @@ export class Stage {
 
   private furnish(): void {
     const { shapes } = this.head.scene;
-    const gauges = shapes.filter(isGauge);
-    const machine = this.box.clone();
     for (const shape of shapes) {
-      const drawn = isGauge(shape)
-        ? gauge(shape, this.sizes, machine, this.facing(), gauges.indexOf(shape), gauges.length)
-        : made(shape, this.sizes);
+      const drawn = made(shape, this.sizes);
       drawn.object.traverse((object) => (object.userData.shape = shape));
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
     }
-    this.onlyGauges = gauges.length > 0 && shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind));
+    this.onlyGauges = shapes.some(isGauge) && shapes.every(({ kind }) => STILL.has(kind));
     this.show();
   }
 
@@ -228,7 +224,8 @@ export class Stage {
 
   private surround(): void {
     this.box.makeEmpty();
-    if (!this.onlyGauges) this.hold(this.motion);
+    this.hold(this.motion);
+    if (this.onlyGauges) this.box.makeEmpty();
     for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
   }
 
@@ -391,7 +388,7 @@ export class Stage {
     const hit = this.hitAt(x, y);
     const shape = hit?.object.userData.shape as Shape | undefined;
     if (hit === undefined || shape === undefined || this.now === null) return null;
-    if (shape.kind === "dial") return { shape, parts: [], point: this.drawn.find((drawn) => drawn.shape === shape)?.object.position ?? hit.point };
+    if (shape.kind === "dial") return { shape, parts: [], point: new Vector3().setFromMatrixPosition(this.sizes.boards[shape.parts[0].board ?? 0]) };
     const part = hit.object.userData.part as Part | undefined;
     if (part === undefined || part.still || !("at" in part.numbers) || !(SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
     const frame = { numbers: this.now.numbers, first: this.head.scene.first };
@@ -475,9 +472,13 @@ function round(value: number, step: number): number {
   return Math.round(value / step) * step;
 }
 
+function isGauge({ kind }: Shape): boolean {
+  return kind === "slider" || kind === "dial";
+}
+
 /** Columns at which places begin in a row: of all that moves and has an end. */
 function placesOf({ scene }: Head): number[] {
-  const parts = scene.shapes.filter(({ kind }) => kind !== "frame").flatMap((shape) => shape.parts).filter(({ still }) => !still);
+  const parts = scene.shapes.filter(({ kind }) => kind !== "frame").flatMap((shape) => shape.parts).filter(({ still, board }) => !still && board === undefined);
   const columns = parts.flatMap(({ numbers }) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
   return [...new Set(columns)].map((column) => scene.first + column);
 }
