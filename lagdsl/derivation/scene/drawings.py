@@ -66,10 +66,12 @@ def _in_world(axis: fx.FlatExpression, anchor: fx.FlatExpression | str) -> fx.Fl
 
 def along_axes(frame: str, parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression:
     """The vector with these components along the axes of a frame; those that are 0 are left out."""
-    terms = [
-        fx.Binary("*", part, fx.FrameAxis(frame, axis)) for axis, part in enumerate(parts) if part != fx.Number(0.0)
-    ]
-    return reduce(lambda total, term: fx.Binary("+", total, term), terms) if terms else fx.Vector(*([fx.ZERO] * 3))
+    terms = [fx.Binary("*", part, fx.FrameAxis(frame, axis)) for axis, part in enumerate(parts) if part != fx.ZERO]
+    return sum_of(terms) if terms else fx.ZERO_VECTOR
+
+
+def sum_of(terms: Sequence[fx.FlatExpression]) -> fx.FlatExpression:
+    return reduce(lambda total, term: fx.Binary("+", total, term), terms)
 
 
 def mass_centre(body: fm.RigidBody) -> fx.FlatExpression:

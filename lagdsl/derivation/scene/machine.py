@@ -126,6 +126,12 @@ def vector_or_none(at: Evaluator, expression: fx.FlatExpression) -> Floats | Non
     return found if np.isfinite(found).all() else None
 
 
+def axes_at(at: Evaluator, frame: str) -> Floats | None:
+    """The axes of a frame as rows (3, 3)."""
+    axes = [vector_or_none(at, fx.FrameAxis(frame, axis)) for axis in range(3)]
+    return None if any(each is None for each in axes) else np.array(axes)
+
+
 def fixed(values: Floats) -> fx.FlatExpression:
     """The vector (3,) with these components."""
     return fx.Vector(*(fx.Number(round(float(part), 12) + 0.0) for part in values))
@@ -241,11 +247,10 @@ def in_frame(machine: Machine, frame: str, point: fx.FlatExpression) -> Floats |
     """The components (3,) along the axes of a frame, from its origin, of a point that is fixed in it."""
     rows = []
     for at in machine.positions[:3]:
-        place, origin = vector_or_none(at, point), vector_or_none(at, fx.FrameOrigin(frame))
-        axes = [vector_or_none(at, fx.FrameAxis(frame, axis)) for axis in range(3)]
-        if place is None or origin is None or any(each is None for each in axes):
+        place, origin, axes = vector_or_none(at, point), vector_or_none(at, fx.FrameOrigin(frame)), axes_at(at, frame)
+        if place is None or origin is None or axes is None:
             return None
-        rows.append(np.array(axes) @ (place - origin))
+        rows.append(axes @ (place - origin))
     own = np.array(rows)
     return np.asarray(own[0]) if constant(own) else None
 
@@ -286,10 +291,13 @@ def frames_in(machine: Machine, point: fx.FlatExpression) -> frozenset[str]:
 
 def on_body(frame: str, own: Floats) -> fx.FlatExpression:
     """The point with these components along the axes of a frame."""
-    if not np.any(own):
-        return fx.FrameOrigin(frame)
-    parts = [fx.Number(round(float(part), 12) + 0.0) for part in own]
-    return fx.Binary("+", fx.FrameOrigin(frame), along_axes(frame, parts))
+    origin = fx.FrameOrigin(frame)
+    return fx.Binary("+", origin, in_axes(frame, own)) if np.any(own) else origin
+
+
+def in_axes(frame: str, own: Floats) -> fx.FlatExpression:
+    """The vector with these components (3,) along the axes of a frame."""
+    return fixed(own) if frame == "world" else along_axes(frame, [fx.Number(round(x, 12) + 0.0) for x in own.tolist()])
 
 
 def gaps(machine: Machine) -> list[tuple[Contact | fm.Constraint, fx.FlatExpression]]:
@@ -318,11 +326,10 @@ def touching_point(machine: Machine, frame: str, gap: fx.FlatExpression) -> tupl
         return None
     rows, right = [], []
     for at in machine.positions:
-        axes = [vector_or_none(at, fx.FrameAxis(frame, axis)) for axis in range(3)]
-        place = vector_or_none(at, origin)
-        if place is None or any(each is None for each in axes):
+        axes, place = axes_at(at, frame), vector_or_none(at, origin)
+        if place is None or axes is None:
             return None
-        rows.append([*(np.array(axes) @ normal), 1.0])
+        rows.append([*(axes @ normal), 1.0])
         right.append(number(at, gap) - float(normal @ place))
     if not np.isfinite(right).all():
         return None

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame
+from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame, sum_of
+from lagdsl.derivation.scene.links import between
 from lagdsl.derivation.scene.looks import CLEAR, Place, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
@@ -151,8 +152,7 @@ def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
         if own is None or isinstance(center, str):
             continue
         if np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
-            numbers = (("at", columns.vector(own)), ("to", columns.vector(center)))
-            yield Shape(kind="rope", name="to the mass center", numbers=numbers, spans=drawing.spans)
+            yield between("rope", "to the mass center", own, center, drawing.spans, columns)
 
 
 def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:
@@ -327,10 +327,7 @@ class _Body:
         terms = [
             fx.Binary("*", fx.Number(f), m) for f, m in zip(factors, self.item.inertia, strict=True) if abs(f) > 1e-12
         ]
-        total: fx.FlatExpression = terms[0]
-        for term in terms[1:]:
-            total = fx.Binary("+", total, term)
-        return self._length(factor, total)
+        return self._length(factor, sum_of(terms))
 
 
 def _rank(rows: Floats) -> int:

@@ -38,7 +38,10 @@ class Posed:
 
     def vector(self, role: str) -> Floats:
         first = dict(self.part.numbers)[role]
-        return np.array(self.stage.rows[self.row, first : first + 3])
+        own = np.array(self.stage.rows[self.row, first : first + 3])
+        if self.part.board is None:
+            return own
+        return np.asarray(self.stage.boards[self.part.board][:3] @ [*own, float(role in ("at", "to"))])
 
     def size(self, size: Size) -> float:
         value = 1.0 if size.column is None else float(self.stage.rows[self.row, size.column])

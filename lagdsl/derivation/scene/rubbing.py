@@ -7,12 +7,12 @@ the same. A slip of angles, of a lever or of shafts has no place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import combinations
 
 import numpy as np
 
-from lagdsl.derivation.scene.machine import evaluator_at, normal_of, radius_at
+from lagdsl.derivation.scene.machine import axes_at, evaluator_at, in_axes, normal_of, radius_at
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -20,7 +20,7 @@ from lagdsl.foundation.units.dimension import VELOCITY
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.dependence import Dependence
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable
+from lagdsl.language.flat.evaluate import NotEvaluable
 from lagdsl.language.flat.events import Friction
 
 _SAME = 1e-9
@@ -149,35 +149,13 @@ class Rubbing:
                 return None
             vectors.append(found)
         for frame in self._frames:
-            axes = self._axes(frame)
-            parts = None if axes is None else [found @ turn.T for found, turn in zip(vectors, axes, strict=True)]
-            if parts is not None and max(float(np.max(np.abs(each - parts[0]))) for each in parts) <= _SAME:
-                return tuple(_in_frame(frame, each) for each in parts[0])
+            axes = [turn for row in self._at if (turn := axes_at(row[0], frame)) is not None]
+            parts = [found @ turn.T for found, turn in zip(vectors, axes, strict=False)]
+            if len(axes) == len(self._at) and max(float(np.max(np.abs(each - parts[0]))) for each in parts) <= _SAME:
+                return tuple(in_axes(frame, each) for each in parts[0])
         return None
-
-    def _axes(self, frame: str) -> list[Floats] | None:
-        """The axes as rows, at each position."""
-        rests: Sequence[Evaluator] = [row[0] for row in self._at]
-        try:
-            return [np.array([at.vector(fx.FrameAxis(frame, axis)) for axis in range(3)]) for at in rests]
-        except NotEvaluable:
-            return None
 
 
 def _moves_with(changes: Floats) -> Flags:
     """Coordinates (n,) that changes (positions, n, components) depend on."""
     return np.asarray(np.any(changes != 0.0, axis=(0, 2)))
-
-
-def _in_frame(frame: str, parts: Floats) -> fx.FlatExpression:
-    """The vector with these components along the axes of a frame."""
-    rounded = [round(float(part), 12) + 0.0 for part in parts]
-    if frame == "world":
-        return fx.Vector(*(fx.Number(part) for part in rounded))
-    terms = [
-        fx.Binary("*", fx.Number(part), fx.FrameAxis(frame, axis)) for axis, part in enumerate(rounded) if part != 0.0
-    ]
-    total: fx.FlatExpression = terms[0]
-    for term in terms[1:]:
-        total = fx.Binary("+", total, term)
-    return total

@@ -39,7 +39,8 @@ class Part:
     unit lengths along the axes. An arrow leads to `to`, or along `vector`, whose length has the unit `scale`, of fixed
     length without one; a surface with a `scale` is as large as its `z`. A line has its `points` (n vectors) or is the
     coil of a spring; `sizes` ends with the radius of its tube. A `still` part does not move: it stands where the motion
-    begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade` times the color.
+    begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade` times the color. The
+    vectors of a part on a `board`, by its number, are in the axes and the unit of that board of the stage.
     """
 
     primitive: Primitive = "surface"
@@ -53,6 +54,7 @@ class Part:
     still: bool = False
     offset: float = 0.0
     count: int = 0
+    board: int | None = None
 
 
 @record(kw_only=True)

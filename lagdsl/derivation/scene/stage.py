@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import field
+from collections.abc import Iterator, Sequence
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -20,9 +20,13 @@ _MANY = 60  # shapes, each of them small
 TILT = 0.38 / 0.92
 """Of the view on spatial machines: upwards over backwards."""
 
+BOARD = 0.16
+"""Of the machine: half the width of the board of a gauge."""
+
 _SIDES = 12
 _X, _Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
 _EQUAL = 0.05
+_REACH = 0.85  # of a board
 
 
 @record(kw_only=True)
@@ -33,6 +37,7 @@ class Stage:
     `length` [m] is the size of the machine, `scales` have the length of an arrow for a unit of a force [m/N], the
     radius of one for a unit of a torque [1/N], the length of one for a unit of a current [m/A]. `axes`: the unit
     directions right, up and back (towards the viewer).
+    `boards` are the places (4, 4) of gauges.
     `meshes`: triangles by the number of the shape, in units of its file. `around`: faces of round forms.
     """
 
@@ -45,6 +50,7 @@ class Stage:
     scales: dict[str, float] = field(default_factory=dict)
     meshes: dict[int, Triangles] = field(default_factory=dict)
     axes: tuple[Floats, Floats, Floats]
+    boards: tuple[Floats, ...] = ()
 
     @property
     def around(self) -> int:
@@ -78,7 +84,23 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float] | Floats) -> Stage:
     axes = _facing(scene, np.array(up, dtype=np.float64), points)
     meshes = meshes_of(scene.shapes)
     box = {"low": low, "high": high}
-    return Stage(scene=scene, rows=rows, points=points, **box, length=length, scales=scales, meshes=meshes, axes=axes)
+    made = Stage(scene=scene, rows=rows, points=points, **box, length=length, scales=scales, meshes=meshes, axes=axes)
+    return replace(made, boards=tuple(_boards(made)))
+
+
+def _boards(stage: Stage) -> Iterator[Floats]:
+    """A row below the machine, turned towards the viewer. On that of a slider a unit to the right is the largest value
+    along the motion, but for an edge."""
+    found = [shape for shape in stage.scene.shapes if shape.kind in ("slider", "dial")]
+    right, up, back = (axis * BOARD * stage.length for axis in stage.axes)
+    low = min(float((end - stage.center) @ stage.axes[1]) for end in (stage.low, stage.high))
+    row = stage.center + low * stage.axes[1] - 1.7 * up
+    for k, shape in enumerate(found):
+        values = np.abs(stage.rows[:, dict(shape.numbers)["value"]])
+        most = float(np.max(values, initial=1e-12, where=np.isfinite(values)))
+        unit = right * (_REACH / most if shape.kind == "slider" else 1.0)
+        place = row + (k - (len(found) - 1) / 2.0) * 2.6 * right
+        yield np.vstack([np.column_stack([unit, up, back, place]), [0.0, 0.0, 0.0, 1.0]])
 
 
 def places_of(scene: Scene, rows: Floats) -> Floats:
@@ -90,7 +112,7 @@ def places_of(scene: Scene, rows: Floats) -> Floats:
             continue
         firsts = [first for role, first in shape.numbers if role in ("at", "to")]
         points += [seen[:, first : first + 3] for first in firsts]
-        for part in (part for part in shape.parts if not part.still):
+        for part in (part for part in shape.parts if not part.still and part.board is None):
             numbers = dict(part.numbers)
             for role in ("at", "to"):
                 if role in numbers:

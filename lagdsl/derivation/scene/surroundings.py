@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,7 +30,8 @@ from lagdsl.derivation.scene.machine import (
     vector_or_none,
 )
 from lagdsl.derivation.scene.masses import radius_of
-from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
+from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind, Size
+from lagdsl.derivation.scene.stage import BOARD
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.dimension import CHARGE
 from lagdsl.language.flat import expression as fx
@@ -44,6 +46,9 @@ _FARTHEST = 6.0  # of its largest start value: so far the track of a length is d
 _GROUND = "#94a3b8"
 _HELD_KINDS = frozenset({"rod", "rope", "spring", "damper", "body", "box", "cylinder"})
 _CLEAR_GROUND = 0.3
+_HAND = "#2563eb"
+# Middle, right, back, and the place of the name of a gauge.
+_ON_A_BOARD = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.35, 0.0))
 
 
 def grounds(machine: Machine) -> Iterator[Shape]:
@@ -263,6 +268,7 @@ def gauges(machine: Machine) -> Iterator[Shape]:
     }
     turned = [fx.Component(fx.FrameAxis(frame, axis), k) for frame in sorted(bent) for axis in (0, 1) for k in range(3)]
     drawn = (*machine.columns.expressions, *turned)
+    board = 0
     for coordinate in (each for each in machine.flat.coordinates if each.dimension != CHARGE):
         moved = evaluator_at(machine.flat, 0, moved={coordinate.name: 0.1})
         # A ball that turns in its place depends on its angle, and nothing is seen of it.
@@ -271,7 +277,31 @@ def gauges(machine: Machine) -> Iterator[Shape]:
             continue
         kind: ShapeKind = "dial" if is_angle(coordinate) else "slider"
         numbers = (("value", machine.columns.scalar(fx.Variable(coordinate.name))),)
-        yield Shape(kind=kind, name=coordinate.name, numbers=numbers, spans=coordinate.spans)
+        parts = tuple(_gauge(machine.columns, kind, fx.Variable(coordinate.name), board))
+        yield Shape(kind=kind, name=coordinate.name, numbers=numbers, parts=parts, spans=coordinate.spans)
+        board += 1
+
+
+def _gauge(columns: Columns, kind: ShapeKind, value: fx.FlatExpression, board: int) -> Iterator[Part]:
+    """A rail with a carriage, a ring with a hand that stands upward at zero; the name below."""
+    middle, right, back, below = (columns.vector(fixed(np.array(each))) for each in _ON_A_BOARD)
+
+    def part(form: str, sizes: tuple[float, float, float], at: int = middle, color: str = _HAND) -> Part:
+        x, y, z = (Size(size * BOARD) for size in sizes)
+        return Part(
+            form=form, numbers=(("at", at), ("x", right), ("z", back)), sizes=(x, y, z), color=color, board=board
+        )
+
+    yield Part(primitive="label", numbers=(("at", below),), board=board)
+    if kind == "slider":
+        yield part("cube", (2.2, 0.06, 0.06), color=_GROUND)
+        yield part("cube", (0.5, 0.5, 0.5), columns.vector(fx.Vector(value, fx.ZERO, fx.ZERO)))
+        return
+    sine, cosine = (fx.Function(name, (value,)) for name in ("sin", "cos"))
+    tip = columns.vector(fx.Vector(fx.Unary("-", sine), cosine, fx.ZERO))
+    yield part("wire ring", (1.0, 1.0, 1.0), color=_GROUND)
+    yield part("cylinder", (0.1, 0.1, 0.15))
+    yield replace(part("beam", (0.12, 0.12, 1.0)), numbers=(("at", middle), ("to", tip)))
 
 
 def is_planar(machine: Machine, shapes: Iterable[Shape]) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from lagdsl.derivation.scene.drawings import mass_centre
+from lagdsl.derivation.scene.drawings import mass_centre, sum_of
 from lagdsl.derivation.scene.living import Living, with_scene
 from lagdsl.derivation.scene.looks import dressed
 from lagdsl.derivation.scene.rubbing import Rubbing
@@ -173,8 +173,7 @@ def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
         places = rubbing.places(friction)
         for place in places:
             parts = [fx.Binary("*", f, e) for f, e in zip(forces, place.directions, strict=True)]
-            force = parts[0] if len(parts) == 1 else fx.Binary("+", parts[0], parts[1])
-            numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(force)), *told)
+            numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(sum_of(parts))), *told)
             yield Shape(kind="friction", name=friction.name, numbers=numbers, texts=texts, spans=friction.spans)
         if not places:
             yield Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)

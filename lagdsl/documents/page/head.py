@@ -15,8 +15,10 @@ from lagdsl.derivation.scene.stage import Stage
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.documents.page.packed import packed_form, packed_meshes
 from lagdsl.documents.page.words import WORDS
-from lagdsl.documents.plot.picture.recording import Prepared, staged
+from lagdsl.documents.plot.picture.recording import Recording, staged
+from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.runtime.structures import WHAT
+from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
 from lagdsl.language.flat.display import display, drawn_rate
@@ -24,6 +26,7 @@ from lagdsl.language.flat.events import Contact, Entry, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
 from lagdsl.language.settings.aliases import other_names
+from lagdsl.motion.signals.inputs import signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.table import event_names
 
@@ -31,22 +34,15 @@ Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | No
 
 
 def head_of(
-    prepared: Prepared,
-    motion: Trajectory,
-    *,
-    p: Sequence[float],
-    u: Sequence[float],
-    source: SourceFile | None,
-    span: tuple[float, float],
-    tolerance: float,
-    said: str,
-    motions: Sequence[Trajectory] = (),
+    made: Recording, wishes: Wishes, source: SourceFile | None, motions: Sequence[Trajectory] = ()
 ) -> dict[str, Json]:
-    """`motion` is that of `prepared` over the time `span`, for parameters `p` and, where it begins, inputs `u`. `said`
-    is what there is to say of it. Sizes are chosen for all `motions`, without them for that one."""
+    """Of a page that begins with this motion. Sizes are chosen for all `motions`, without them for that one."""
     from lagdsl.derivation.textbook.provenance import sources
 
-    model, living = prepared.own, prepared.living
+    prepared, motion, (start, stop) = made.prepared, made.motion, made.span
+    model, living, engine = prepared.own, prepared.living, prepared.engine
+    defaults = engine.evaluate("start", start, made.p)[3]
+    given = signals(prepared.compilation.flat, defaults, wishes.inputs, made.span, Sink(), speeds=engine.layout.speeds)
     count = len(living.scene.columns)
     first = len(motion.columns) - count
     independent = [p for p in living.flat.parameters if not p.structural]
@@ -69,11 +65,12 @@ def head_of(
             "center": stage.center.tolist(),
             "length": stage.length,
             "scales": stage.scales,
+            "boards": [board.T.ravel().tolist() for board in stage.boards],
             **_forms(stage),
         },
-        "start": span[0],
-        "stop": span[1],
-        "tolerance": tolerance,
+        "start": start,
+        "stop": stop,
+        "tolerance": made.tolerance,
         "columns": [
             {
                 "name": column.name,
@@ -90,22 +87,22 @@ def head_of(
         "events": occurrences(motion),
         "parameters": [
             _slider(item, value, "parameter" if item.name in own else "start")
-            for item, value in zip(independent, p, strict=True)
+            for item, value in zip(independent, made.p.tolist(), strict=True)
         ],
-        "inputs": [_slider(i, value, "input") for i, value in zip(model.inputs, u, strict=True)],
+        "inputs": [_slider(i, u, "input") for i, u in zip(model.inputs, given.at(start).tolist(), strict=True)],
         "sliders": _sliders(model, living.flat),
         "curves": list(model.page.curves),
         "lasting": sorted(contact_rows(model)),
         "differentiable": not model.events.delays,
-        "said": " ".join(filter(None, (said, undrawn))),
+        "said": " ".join(filter(None, (made.ended, undrawn))),
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
         "blamed": {
             "entries": [_named(each) for each in entries(living.flat.events)],
-            "rows": [slot.name for slot in prepared.engine.layout.constraints],
+            "rows": [slot.name for slot in engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
         },
-        "event_names": [_event_names(living.flat, prepared.engine.layout, kind) for kind in WHAT],
+        "event_names": [_event_names(living.flat, engine.layout, kind) for kind in WHAT],
     }
 
 
@@ -213,7 +210,7 @@ def _part(part: Part) -> Json:
         sizes = [[size.factor, -1 if size.column is None else size.column, size.relative] for size in part.sizes]
         told |= {"form": part.form, "sizes": sizes}
     usual = Part(numbers=())
-    names = ("shade", "opacity", "scale", "still", "offset", "count")
+    names = ("shade", "opacity", "scale", "still", "offset", "count", "board")
     return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(usual, name)}}
 
 

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from lagdsl.documents.page.head import Json
-from lagdsl.documents.page.page import head_of_recording
+from lagdsl.documents.page.head import Json, head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
 from lagdsl.documents.page.states import States, recording_of, rows_of
 from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
@@ -50,7 +49,7 @@ def modes_page(
         raise ValueError(f"{modes.model} has no mode that moves: {why}")
     still = recording_of(prepared, States(points=[modes.point], p=p), "modes")
     runs = [run for i in shown for run in _runs(prepared, modes, i, p, still.motion)]
-    head = head_of_recording(still, Wishes(), source, [run.motion for run in runs])
+    head = head_of(still, Wishes(), source, [run.motion for run in runs])
     told: dict[str, Json] = {
         "modes": [_told(modes, i) for i in shown],
         "levels": [name for name, _ in LEVELS],

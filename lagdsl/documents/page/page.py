@@ -30,7 +30,6 @@ from lagdsl.foundation.resources import page_folder
 from lagdsl.foundation.source import SourceFile
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.pipeline import Compilation
-from lagdsl.motion.signals.inputs import signals
 from lagdsl.motion.signals.trajectory import Trajectory
 
 _ROWS = 601
@@ -55,32 +54,11 @@ def page(
     made = record_motion(flat, wishes, _ROWS, sink, compilation)
     x = starts_of(made)
     t, compiled = made.span[0], made.prepared.compilation
-    head = head_of_recording(made, wishes, source)
+    head = head_of(made, wishes, source)
     made_tape = tape(compiled.program, start_of(compiled.flat, t, x))
     first = len(made.motion.columns) - len(made.prepared.living.scene.columns) - len(made.prepared.own.outputs)
     pointed, arrow_tape = arrows(flat, compiled, wishes.start, (t, x), first, source)
     return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape, compiled)
-
-
-def head_of_recording(
-    made: Recording, wishes: Wishes, source: SourceFile | None, motions: Sequence[Trajectory] = ()
-) -> dict[str, Json]:
-    """The head of a page that begins with this motion, of all its `motions`."""
-    engine, t = made.prepared.engine, made.span[0]
-    defaults = engine.evaluate("start", t, made.p)[3]
-    flat = made.prepared.compilation.flat
-    u = signals(flat, defaults, wishes.inputs, made.span, Sink(), speeds=engine.layout.speeds).at(t)
-    return head_of(
-        made.prepared,
-        made.motion,
-        p=made.p.tolist(),
-        u=u.tolist(),
-        source=source,
-        span=made.span,
-        tolerance=made.tolerance,
-        said=made.ended,
-        motions=motions,
-    )
 
 
 def starts_of(made: Recording) -> list[float]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lagdsl.documents.page.page import head_of_recording
+from lagdsl.documents.page.head import head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
 from lagdsl.documents.page.states import States, recording_of
 from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
@@ -56,9 +56,9 @@ def results_page(
     said = f"Recorded in {path.name}; nothing is integrated here."
     if flat.inputs:
         said += " Inputs are not in the file: loads that read them have their default values."
-    head = head_of_recording(replace(made, motion=motion), Wishes(parameters=wishes.parameters), source)
+    head = head_of(replace(made, motion=motion, ended=said), Wishes(parameters=wishes.parameters), source)
     run = Run(label=path.name, motion=motion, span=made.span, said=said)
-    return page_of_runs(flat, {**head, "said": said}, [run])
+    return page_of_runs(flat, head, [run])
 
 
 def _checked(flat: FlatModel, tables: Tables, file: str) -> tuple[Floats, dict[str, Floats]]:

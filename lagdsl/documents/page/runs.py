@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from lagdsl.documents.page.head import Json, occurrences
-from lagdsl.documents.page.page import head_of_recording, html_of, starts_of
+from lagdsl.documents.page.head import Json, head_of, occurrences
+from lagdsl.documents.page.page import html_of, starts_of
 from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.backends.start import start_of
@@ -84,7 +84,7 @@ def sweep_page(
         for diagnostic in failures[0].diagnostics:
             sink.add(diagnostic)
     first, own = found[0]
-    head = head_of_recording(first, replace(wishes, inputs=own.inputs), source, [run.motion for run in runs])
+    head = head_of(first, replace(wishes, inputs=own.inputs), source, [run.motion for run in runs])
     compiled = prepared.compilation
     if len({_identity(own.inputs) for _, own in settings}) > 1:  # sliders of inputs are those of one run
         return page_of_runs(flat, head, runs, compilation=compiled)

@@ -28,8 +28,8 @@ def test_the_runtime_is_that_of_the_c_sources() -> None:
 def test_the_notices_of_others_are_there() -> None:
     """The MIT license wants its text in all copies."""
     notices = (DIST / "licenses.txt").read_text()
-    assert re.findall(r"^(three|uplot) \d+\.\d+\.\d+$", notices, re.MULTILINE) == ["three", "uplot"]
-    assert notices.count("Permission is hereby granted") == 2
+    assert re.findall(r"^(gifenc|three|uplot) \d+\.\d+\.\d+$", notices, re.MULTILINE) == ["gifenc", "three", "uplot"]
+    assert notices.count("Permission is hereby granted") == 3
 
 
 def test_dots_over_letters_are_no_dots_of_curves() -> None:

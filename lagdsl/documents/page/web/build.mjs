@@ -4,7 +4,8 @@ import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
 // Parts of three.js for what no page has, which it cannot leave out by itself: shaders of other materials and of effects, which
-// are guarded by their own #if; shadows, headsets, surroundings, pictures from many sides, tracks of animations.
+// are guarded by their own #if; shadows, headsets, surroundings, pictures from many sides, tracks of animations,
+// files of scenes.
 const parts = /\b(var|const) ((?:alphahash|alphamap|aomap|batching|bumpmap|clearcoat|clipping|cube_uv|displacementmap|dithering|emissivemap|envmap|fog|gradientmap|iridescence|lightmap|lightprobes|lights_(?:physical|toon|phong)|logdepthbuf|map_particle|metalnessmap|morph|normalmap|packing|roughnessmap|shadowmap|skin|tonemapping|transmission)\w*) = "(?:[^"\\]|\\.)*"/g;
 const wholes = /\b(?:background|backgroundCube|cube|depth|distance|equirect|linedashed|mesh(?:matcap|normal|phong|physical|toon)|points|shadow)_(?:vert|frag): ([\w$]+)/g;
 const absent = ["render", "dispose", "addEventListener", "removeEventListener", "setAnimationLoop", "getEnvironmentBlendMode"].map((name) => `${name}() {}`);
@@ -14,7 +15,8 @@ const without = (text) => {
   return text
     .replace(parts, '$1 $2 = ""')
     .replace(/\bconst ((?:vertex|fragment)\$\w+) = "(?:[^"\\]|\\.)*"/g, blank)
-    .replace(/^(?:class|function) (WebXR(?:Manager|DepthSensing)|PMREMGenerator|WebGLShadowMap)\b[^]*?^}/gm, `class $1 { enabled = false; isPresenting = false; ${absent.join(" ")} }`)
+    .replace(/^(?:class|function) (WebXR(?:Manager|DepthSensing)|PMREMGenerator|WebGLShadowMap|CubeCamera)\b[^]*?^}/gm, `class $1 { enabled = false; isPresenting = false; ${absent.join(" ")} }`)
+    .replace(/^\t(?:toJSON|fromJSON)\([^]*?^\t}$/gm, "")
     .replace(/^(?:\w*KeyframeTrack|PropertyBinding)\.[^]*?;$/gm, "");
 };
 const shaders = {
@@ -29,9 +31,9 @@ await build({ ...common, entryPoints: ["src/loader.ts"], outfile: "dist/loader.j
 await build({ ...common, entryPoints: ["src/worker.ts"], outfile: "dist/worker.js" });
 await build({ ...common, entryPoints: ["src/page.css"], outfile: "dist/page.css" });
 const notices = [];
-for (const name of ["three", "uplot"]) {
+for (const [name, license] of [["gifenc", "LICENSE.md"], ["three", "LICENSE"], ["uplot", "LICENSE"]]) {
   const { version } = JSON.parse(await readFile(`node_modules/${name}/package.json`, "utf8"));
-  notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/LICENSE`, "utf8")).trim()}\n`);
+  notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/${license}`, "utf8")).trim()}\n`);
 }
 await writeFile("dist/licenses.txt", notices.join("\n"));
 

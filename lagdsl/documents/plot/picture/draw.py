@@ -11,8 +11,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Ribbon, Words, lit
-from lagdsl.documents.plot.picture.gauges import gauges
-from lagdsl.documents.plot.picture.shapes import parts_of
+from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
 from lagdsl.documents.plot.picture.view import View, steps_of, view_of
 from lagdsl.documents.plot.sheet import escaped, sheet
 from lagdsl.foundation.numerics.rank import Floats
@@ -64,8 +63,8 @@ def draw(picture: Drawn, row: int, ghosts: Sequence[int] = (), caption: str = ""
     axes.set(xlim=(view.low[0], view.high[0]), ylim=(view.low[1], view.high[1]))
     _ruled(picture)
     for ghost in ghosts:
-        _paint(picture, parts_of(stage, ghost), _GHOST)
-    _paint(picture, [*parts_of(stage, row), *gauges(stage, row)], 1.0)
+        _paint(picture, parts_of(stage, ghost, without=GAUGES), _GHOST)
+    _paint(picture, parts_of(stage, row), 1.0)
     if caption:
         axes.text(0.985, 0.02, caption, transform=axes.transAxes, ha="right", va="bottom", fontsize=9, color=INK)
 

@@ -14,6 +14,7 @@ from lagdsl.documents.plot.picture.faces import Color, Faces, Painted, Ribbon, W
 from lagdsl.foundation.meshes.triangles import thinned
 from lagdsl.foundation.numerics.rank import Floats
 
+GAUGES: tuple[ShapeKind, ...] = ("slider", "dial")
 _FEW = 1000  # triangles of a mesh: a picture has less detail than a page, and Matplotlib sorts all of them
 
 

@@ -7,15 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from lagdsl.derivation.scene.shapes import ShapeKind
 from lagdsl.derivation.scene.stage import Stage, places_of
-from lagdsl.documents.plot.picture.faces import Faces, Ribbon
-from lagdsl.documents.plot.picture.gauges import reach
-from lagdsl.documents.plot.picture.shapes import parts_of
+from lagdsl.documents.plot.picture.faces import Faces, Ribbon, Words
+from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
 _MARGIN = 0.07
 _ROWS = 24
+_ENDLESS: tuple[ShapeKind, ...] = ("ground", "rail", "track", "trace")
 # Of a picture: height over width.
 _LOWEST, _HIGHEST = 0.45, 1.25
 
@@ -55,7 +56,7 @@ def steps_of(stage: Stage) -> Floats:
 
 def view_of(stage: Stage, steps: Floats | None = None) -> View:
     """The picture that holds the whole motion, or with `steps` (rows, 3) [m] that of a machine that it goes with."""
-    every = np.concatenate([_solid(stage, steps), reach(stage)])
+    every = _solid(stage, steps)
     if not len(every):
         every = stage.points
     turn, eye = stage.turn, None
@@ -70,12 +71,15 @@ def view_of(stage: Stage, steps: Floats | None = None) -> View:
 
 
 def _solid(stage: Stage, steps: Floats | None) -> Floats:
-    """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture."""
+    """Corners (n, 3) of everything at some rows, and the places of traces; the ground may reach beyond the picture, and
+    gauges do not go with the machine."""
     found = [np.zeros((0, 3))]
+    without = (*_ENDLESS, *(() if steps is None else GAUGES))
     for row in np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int)).tolist():
-        parts = parts_of(stage, row, without=("ground", "rail", "track", "trace"))
+        parts = parts_of(stage, row, without=without)
         own = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
         own += [part.points for part in parts if isinstance(part, Ribbon)]
+        own += [part.at[None, :] for part in parts if isinstance(part, Words)]
         found += own if steps is None else [points - steps[row] for points in own]
     shapes = (shape for shape in stage.scene.shapes if shape.kind != "frame")
     placed = any(role in ("at", "to") for shape in shapes for role, _ in shape.numbers)

@@ -1,11 +1,12 @@
 // What can be saved from the page: a table, films.
+import { applyPalette, GIFEncoder, quantize } from "gifenc/src/index.js";
 import { make } from "./dom.ts";
-import { gif } from "./gif.ts";
 import type { Head } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
 const FRAMES = 72;
 const FRAME_WIDTH = 480;
+const COLORS = 256; // one palette for all frames, so that what rests does not flicker
 const TOLD = 8; // frames until the page shows how far a film is
 
 export function save(blob: Blob, download: string): void {
@@ -34,17 +35,24 @@ export function film(canvas: HTMLCanvasElement, made: (blob: Blob) => void): () 
 
 /** A GIF of so many seconds; `pose` draws the canvas at a part of the motion. */
 export async function framed(canvas: HTMLCanvasElement, seconds: number, pose: (part: number) => void): Promise<Blob> {
+  const delay = (1000 * seconds) / FRAMES;
   const width = Math.min(FRAME_WIDTH, canvas.width);
   const height = Math.round((width * canvas.height) / canvas.width);
   const pen = make("canvas", { width, height }).getContext("2d", { willReadFrequently: true });
   if (pen === null) throw new Error("there is no canvas to draw a film on");
   pen.imageSmoothingQuality = "high";
-  const frames: ImageData[] = [];
+  const frames: Uint8ClampedArray[] = [];
+  const every = new Uint8ClampedArray(FRAMES * 4 * width * height);
   for (let k = 0; k < FRAMES; ++k) {
     pose(k / (FRAMES - 1));
     pen.drawImage(canvas, 0, 0, width, height);
-    frames.push(pen.getImageData(0, 0, width, height));
+    frames.push(pen.getImageData(0, 0, width, height).data);
+    every.set(frames[k], k * frames[k].length);
     if (k % TOLD === 0) await new Promise((resolve) => setTimeout(resolve));
   }
-  return gif(frames, (1000 * seconds) / FRAMES);
+  const palette = quantize(every, COLORS);
+  const gif = GIFEncoder();
+  frames.forEach((frame, k) => gif.writeFrame(applyPalette(frame, palette), width, height, { delay, ...(k === 0 && { palette }) }));
+  gif.finish();
+  return new Blob([gif.bytes()], { type: "image/gif" });
 }

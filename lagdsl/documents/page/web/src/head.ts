@@ -50,6 +50,7 @@ export interface Part {
   still?: boolean;
   offset?: number;
   count?: number;
+  board?: number;
 }
 
 export interface PackedMesh {
@@ -71,6 +72,7 @@ export interface Head {
     center: [number, number, number];
     length: number;
     scales: Record<string, number>;
+    boards: number[][]; // places of gauges, column by column
     coil: number[][]; // points of a unit coil
     forms: Record<string, PackedMesh>;
   };

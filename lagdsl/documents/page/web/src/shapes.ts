@@ -1,7 +1,7 @@
 // The primitives of pictures, as lagdsl/derivation/scene tells them: objects of three.js that follow numbers of the scene.
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshLambertMaterial, type Object3D, Sprite,
-  SpriteMaterial, Vector3,
+  SpriteMaterial, type Matrix4, Vector3, Vector4,
 } from "three";
 import { axesAlong, lay, tube } from "./geometry.ts";
 import type { Part, Shape } from "./head.ts";
@@ -15,6 +15,7 @@ export interface Frame {
 export interface Sizes {
   length: number; // of the machine [m]
   scales: Record<string, number>; // of arrows: metres for a newton, for a newton metre
+  boards: Matrix4[]; // of gauges
   first: number;
   center: Vector3; // of the machine
   forms: ReadonlyMap<string, BufferGeometry>;
@@ -50,6 +51,14 @@ export function vector(numbers: Record<string, number>, role: string, frame: Fra
   return new Vector3(frame.numbers[at], frame.numbers[at + 1], frame.numbers[at + 2]);
 }
 
+/** A vector of a part; those of one on a board are in the axes and the unit of that. */
+function vectorOf({ numbers, board }: Part, role: string, sizes: Sizes, frame: Frame): Vector3 {
+  const own = vector(numbers, role, frame);
+  if (board === undefined) return own;
+  const { x, y, z } = new Vector4(...own, Number(role === "at" || role === "to")).applyMatrix4(sizes.boards[board]);
+  return new Vector3(x, y, z);
+}
+
 function sizeOf(part: Part, axis: number, sizes: Sizes, frame: Frame): number {
   const [factor, column, relative] = part.sizes?.[axis] ?? [1, -1, true];
   return factor * (column < 0 ? 1 : frame.numbers[frame.first + column]) * (relative ? sizes.length : 1);
@@ -64,13 +73,13 @@ interface Place {
 /** Where a part stands, and how it is stretched. */
 function place(part: Part, sizes: Sizes, frame: Frame): Place {
   const { numbers } = part;
-  const at = vector(numbers, "at", frame);
-  const to = "to" in numbers ? vector(numbers, "to", frame).sub(at) : null;
-  const way = to ?? ("z" in numbers ? vector(numbers, "z", frame) : new Vector3(0, 0, 1));
+  const at = vectorOf(part, "at", sizes, frame);
+  const to = "to" in numbers ? vectorOf(part, "to", sizes, frame).sub(at) : null;
+  const way = to ?? ("z" in numbers ? vectorOf(part, "z", sizes, frame) : new Vector3(0, 0, 1));
   const own: [number, number, number] = [0, 1, 2].map((axis) => sizeOf(part, axis, sizes, frame)) as Place["sizes"];
   if (part.scale) own.fill(way.length() * sizes.scales[part.scale]);
   else if (to !== null) own[2] = way.length();
-  const axes = axesAlong(way, "x" in numbers ? vector(numbers, "x", frame) : null);
+  const axes = axesAlong(way, "x" in numbers ? vectorOf(part, "x", sizes, frame) : null);
   if (part.still) {
     const away = sizes.center.clone().sub(at);
     const [x, , z] = axes;
@@ -192,7 +201,7 @@ export function label(words: string, size: number, ink: string): Sprite {
 
 function written(part: Part, shape: Shape, sizes: Sizes): Pieces {
   const object = label(shape.texts.text ?? shape.name, 0.06 * sizes.length, OTHER);
-  return { object, update: (frame) => void object.position.copy(vector(part.numbers, "at", frame)) };
+  return { object, update: (frame) => void object.position.copy(vectorOf(part, "at", sizes, frame)) };
 }
 
 const MAKERS: Record<Part["primitive"], (part: Part, shape: Shape, sizes: Sizes) => Pieces> = {
@@ -210,6 +219,7 @@ export function drawn(shape: Shape, sizes: Sizes): Drawn {
     }));
   for (const { object: each } of [...still, ...moving]) object.add(each);
   let known: Motion | null = null;
+  let most = 0; // value of a slider along the motion
   return {
     object,
     shape,
@@ -218,6 +228,11 @@ export function drawn(shape: Shape, sizes: Sizes): Drawn {
       for (const each of moving) each.follow?.(motion, row);
       if (motion === known) return;
       known = motion;
+      if (shape.kind === "slider") {
+        const next = Math.max(motion.largest(sizes.first + shape.numbers.value), 1e-12);
+        sizes.boards[shape.parts[0].board ?? 0].scale(new Vector3((most || next) / next, 1, 1));
+        most = next;
+      }
       const numbers = Float64Array.from({ length: motion.width }, (_, i) => motion.at(0, i));
       for (const each of still) each.update({ numbers, first: sizes.first });
     },

@@ -4,7 +4,6 @@ import {
   MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene, Sprite, Vector2, Vector3,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { gauge, isGauge } from "./gauges.ts";
 import type { Head, Part, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above } from "./numbers.ts";
@@ -57,7 +56,7 @@ export class Stage {
   private other: { motion: Motion; numbers: Float64Array; beside: boolean } | null = null; // to compare with
   private onlyGauges = false;
   private motion: Motion; // that the picture shows
-  private readonly places: readonly Placed[];
+  private readonly places: readonly number[]; // columns at which places begin in a row
   private followed: Vector3 | null = null; // middle of a machine that the view goes with
 
   constructor(
@@ -71,10 +70,11 @@ export class Stage {
     this.screen = new Screen(() => this.render());
     this.canvas = Object.assign(this.screen.canvas, { role: "img", ariaLabel: `The machine ${head.name}, moving` });
     place.append(this.canvas);
-    this.places = placesOf(head, whole);
-    this.box = extent(this.places, whole);
+    this.places = placesOf(head);
+    this.box = this.along(whole);
     const { length, scales, coil } = head.stage;
-    this.sizes = { length, scales, coil, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
+    const boards = head.stage.boards.map((board) => new Matrix4().fromArray(board));
+    this.sizes = { length, scales, coil, boards, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.stage.axes[1]);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -104,32 +104,48 @@ export class Stage {
 
   private furnish(): void {
     const { shapes } = this.head.scene;
-    const gauges = shapes.filter(isGauge);
-    const machine = this.box.clone();
     for (const shape of shapes) {
-      const drawn = isGauge(shape)
-        ? gauge(shape, this.sizes, machine, this.facing(), gauges.indexOf(shape), gauges.length)
-        : made(shape, this.sizes);
+      const drawn = made(shape, this.sizes);
       drawn.object.traverse((object) => (object.userData.shape = shape));
       this.drawn.push(drawn);
       this.scene.add(drawn.object);
     }
-    this.onlyGauges = gauges.length > 0 && shapes.every((shape) => isGauge(shape) || STILL.has(shape.kind));
+    this.onlyGauges = shapes.some(isGauge) && shapes.every(({ kind }) => STILL.has(kind));
     this.show();
   }
 
-  /** The box has room for things of a size of their own, wherever they are along a motion. */
-  private enclose(motion: Motion): void {
-    const solid = this.drawn.filter(({ shape }) => SOLID.has(shape.kind));
+  /** The box of all places along a motion. */
+  private along(motion: Motion): Box3 {
+    const box = new Box3();
+    const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
+    for (let row = 0; row < motion.count; row += stride) this.grow(box, (column) => motion.at(row, column));
+    if (box.isEmpty()) box.set(new Vector3(), new Vector3());
+    return diagonal(box) === 0 ? box.expandByScalar(0.5) : box;
+  }
+
+  /** A box with all places of one row in it. */
+  private grow(box: Box3, at: (column: number) => number): Box3 {
+    for (const column of this.places) {
+      const point = new Vector3(at(column), at(column + 1), at(column + 2));
+      if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
+    }
+    return box;
+  }
+
+  /** A box with all things of a size of their own in it, as they stand. */
+  private enclose(box: Box3): Box3 {
+    for (const { shape, object } of this.drawn) if (SOLID.has(shape.kind) && object.visible) box.expandByObject(object);
+    return box;
+  }
+
+  /** The picture holds all places along the motion, and all things at some of its moments. The caller poses the machine. */
+  private hold(motion: Motion): void {
+    this.box.union(this.along(motion));
     const numbers = new Float64Array(motion.width);
     for (let k = 0; k < POSTURES && motion.count > 0; ++k) {
-      const row = Math.round(((motion.count - 1) * k) / (POSTURES - 1));
-      motion.state(motion.at(row, 0), numbers);
-      for (const drawn of solid) {
-        drawn.update({ numbers, first: this.head.scene.first });
-        drawn.object.updateMatrixWorld(true);
-        if (drawn.object.visible) this.box.expandByObject(drawn.object);
-      }
+      const t = motion.at(Math.round(((motion.count - 1) * k) / (POSTURES - 1)), 0);
+      this.set({ motion, numbers: motion.state(t, numbers), t });
+      this.enclose(this.box);
     }
   }
 
@@ -139,10 +155,9 @@ export class Stage {
     this.motion = motion;
     if (this.moved || this.onlyGauges || this.followed !== null) return;
     const room = this.box.clone().expandByScalar(MARGIN * this.sizes.length);
-    const found = extent(this.places, motion);
+    const found = this.along(motion);
     if (room.containsBox(found) || diagonal(found.union(this.box)) > FARTHEST * this.sizes.length) return;
-    this.box.union(found);
-    this.enclose(motion);
+    this.hold(motion);
     this.aim();
   }
 
@@ -182,17 +197,17 @@ export class Stage {
   lookAt(): void {
     this.moved = false;
     const own = this.machine();
-    const away = this.followed === null && diagonal(own) > 0 && diagonal(extent(this.places, this.motion)) > AWAY * diagonal(own);
+    const away = this.followed === null && diagonal(own) > 0 && diagonal(this.along(this.motion)) > AWAY * diagonal(own);
     this.followed = away ? middle(own) : null;
     if (away) this.box.copy(own.expandByScalar(0.2 * diagonal(own)));
     else this.surround();
     this.aim();
   }
 
-  /** All places at the present moment. */
+  /** The machine as it stands. */
   private machine(): Box3 {
     const { numbers } = this.now ?? { numbers: [] };
-    return grown(new Box3(), this.places, (column) => numbers[column]);
+    return this.enclose(this.grow(new Box3(), (column) => numbers[column]));
   }
 
   /** The view goes with the machine. */
@@ -208,11 +223,9 @@ export class Stage {
   }
 
   private surround(): void {
+    this.box.makeEmpty();
+    this.hold(this.motion);
     if (this.onlyGauges) this.box.makeEmpty();
-    else {
-      this.box.copy(extent(this.places, this.motion));
-      this.enclose(this.motion);
-    }
     for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
   }
 
@@ -293,9 +306,9 @@ export class Stage {
 
   pose(motion: Motion, numbers: Float64Array, t: number): void {
     this.now = { motion, numbers, t };
+    this.set(this.now);
     this.go();
     this.overlay?.pose(t);
-    this.set(this.now);
     this.render();
   }
 
@@ -375,7 +388,7 @@ export class Stage {
     const hit = this.hitAt(x, y);
     const shape = hit?.object.userData.shape as Shape | undefined;
     if (hit === undefined || shape === undefined || this.now === null) return null;
-    if (shape.kind === "dial") return { shape, parts: [], point: this.drawn.find((drawn) => drawn.shape === shape)?.object.position ?? hit.point };
+    if (shape.kind === "dial") return { shape, parts: [], point: new Vector3().setFromMatrixPosition(this.sizes.boards[shape.parts[0].board ?? 0]) };
     const part = hit.object.userData.part as Part | undefined;
     if (part === undefined || part.still || !("at" in part.numbers) || !(SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
     const frame = { numbers: this.now.numbers, first: this.head.scene.first };
@@ -459,44 +472,13 @@ function round(value: number, step: number): number {
   return Math.round(value / step) * step;
 }
 
-/** Room that a shape with sizes of its own takes around its places, where the motion begins. */
-function reach(head: Head, shape: Shape, motion: Motion): number {
-  if (motion.count === 0) return 0;
-  const own = shape.parts.flatMap(({ sizes }) => sizes ?? []).filter(([, column, relative]) => column >= 0 && !relative);
-  const found = own.map(([factor, column]) => Math.abs(factor * motion.at(0, head.scene.first + column)));
-  return Math.max(0, ...found.filter(Number.isFinite));
+function isGauge({ kind }: Shape): boolean {
+  return kind === "slider" || kind === "dial";
 }
 
-interface Placed {
-  column: number; // at which a place begins in a row
-  radius: number; // of the room around it
-}
-
-function placesOf(head: Head, motion: Motion): Placed[] {
-  return head.scene.shapes.filter(({ kind }) => kind !== "frame").flatMap((shape) => {
-    const radius = reach(head, shape, motion);
-    const moving = shape.parts.filter(({ still }) => !still);
-    const columns = moving.flatMap(({ numbers }) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
-    return [...new Set(columns)].map((column) => ({ column: head.scene.first + column, radius }));
-  });
-}
-
-/** The box with all places in it, of one row. */
-function grown(box: Box3, places: readonly Placed[], at: (column: number) => number): Box3 {
-  const point = new Vector3();
-  for (const { column, radius } of places) {
-    point.set(at(column), at(column + 1), at(column + 2));
-    if (!Number.isFinite(point.x + point.y + point.z)) continue;
-    box.expandByPoint(point.clone().addScalar(radius)).expandByPoint(point.clone().addScalar(-radius));
-  }
-  return box;
-}
-
-/** All places of the scene along the motion. */
-function extent(places: readonly Placed[], motion: Motion): Box3 {
-  const box = new Box3();
-  const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
-  for (let row = 0; row < motion.count; row += stride) grown(box, places, (column) => motion.at(row, column));
-  if (box.isEmpty()) box.set(new Vector3(), new Vector3());
-  return diagonal(box) === 0 ? box.expandByScalar(0.5) : box;
+/** Columns at which places begin in a row: of all that moves and has an end. */
+function placesOf({ scene }: Head): number[] {
+  const parts = scene.shapes.filter(({ kind }) => kind !== "frame").flatMap((shape) => shape.parts).filter(({ still, board }) => !still && board === undefined);
+  const columns = parts.flatMap(({ numbers }) => ["at", "to"].flatMap((role) => numbers[role] ?? []));
+  return [...new Set(columns)].map((column) => scene.first + column);
 }
