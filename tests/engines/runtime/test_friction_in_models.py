@@ -83,4 +83,4 @@ def test_all_functions_are_those_of_the_interpreter(engine: EngineName, name: st
 
 
 def test_events_of_friction_have_names() -> None:
-    assert WHAT[-3:] == ("slips", "sticks", "reverses")
+    assert WHAT[-4:] == ("slips", "sticks", "reverses", "warning")
