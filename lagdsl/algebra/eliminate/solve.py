@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from lagdsl.algebra.eliminate.count import Budget, TooMany, flops
@@ -23,6 +23,9 @@ _LARGEST_DELAYED = 16
 # Nodes that an order may make before it is given up, by the operations that it is to beat.
 _NODES_PER_OPERATION = 2
 _FEWEST = 1000
+# Nodes that each order may make at first, while none is done, and by what that grows.
+_FIRST_BOUND = 1 << 14
+_GROWTH = 4
 
 
 @record(kw_only=True)
@@ -87,20 +90,56 @@ def solve(
     definitions = Definitions(terms=terms, rotations=definitions.rotations)
     exchanged = {step.rate for step in reduced.steps}
     heavy = [rate for rate in rates if rate not in exchanged]
-    candidates = []
-    for delayed in ((), heavy) if 1 < len(heavy) <= _LARGEST_DELAYED else ((),):
-        for priority in (by_depth(definitions, heavy), by_creation(definitions, heavy)):
-            order = Order(rates=heavy, priority=priority, delayed=frozenset(delayed))
-            budget = Budget(form.graph, None if most is None else _NODES_PER_OPERATION * (most + _FEWEST))
-            try:
-                factor = _factorize(form, definitions, rows, reduced, order, budget)
-                factor = replace(factor, rates=rates)
-                candidates.append(_solve(form, factor, budget))
-            except TooMany:
-                continue
-    if not candidates:
-        raise NotApplicable
-    return min(candidates, key=lambda solution: solution.flops)
+    orders = [
+        Order(rates=heavy, priority=priority, delayed=frozenset(delayed))
+        for delayed in (((), heavy) if 1 < len(heavy) <= _LARGEST_DELAYED else ((),))
+        for priority in (by_depth(definitions, heavy), by_creation(definitions, heavy))
+    ]
+
+    def solved(order: Order, nodes: int | None) -> Solution | None:
+        budget = Budget(form.graph, nodes)
+        try:
+            factor = replace(_factorize(form, definitions, rows, reduced, order, budget), rates=rates)
+            return _solve(form, factor, budget)
+        except TooMany:
+            return None
+
+    return _best(orders, solved, None if most is None else _nodes(most))
+
+
+def _best(
+    orders: Sequence[Order], solved: Callable[[Order, int | None], Solution | None], most: int | None
+) -> Solution:
+    """The solution with the fewest operations, of those that `solved` finds with at most so many new nodes. Orders can
+    differ by a power in what they make, so the first to be done is sought with bounds that grow; it bounds the others.
+
+    Raises NotApplicable where there is none.
+    """
+    first, best = _first(orders, solved, most)
+    limit = _nodes(best.flops) if most is None else min(_nodes(best.flops), most)
+    found = [best if number == first else solved(order, limit) for number, order in enumerate(orders)]
+    return min((solution for solution in found if solution is not None), key=lambda solution: solution.flops)
+
+
+def _first(
+    orders: Sequence[Order], solved: Callable[[Order, int | None], Solution | None], most: int | None
+) -> tuple[int, Solution]:
+    """The number of an order that is done with as few nodes as any, about, and its solution."""
+    bound = _FIRST_BOUND
+    while True:
+        nodes = bound if most is None else min(bound, most)
+        for number, order in enumerate(orders):
+            solution = solved(order, nodes)
+            if solution is not None:
+                return number, solution
+        if nodes == most:
+            raise NotApplicable
+        bound *= _GROWTH
+
+
+def _nodes(operations: int) -> int:
+    """Nodes that an order may make to win against one of so many operations."""
+    return _NODES_PER_OPERATION * (operations + _FEWEST)
 
 
 def respond(factor: Factor, side: Side, budget: Budget | None = None) -> Response:

@@ -10,6 +10,7 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group, Op
 
 TWO_RATES = 2
+MANY = 60
 
 
 def test_coordinate_without_inertia_is_left_to_the_dense_path() -> None:
@@ -84,3 +85,29 @@ def test_turned_pairs_with_any_weights(mirrored: bool) -> None:
     definition = np.vstack([np.eye(4), np.kron(np.eye(2), block)])
     expected = np.linalg.solve(definition.T @ weights @ definition, definition.T @ forces)
     np.testing.assert_allclose(found, expected, rtol=1e-10)
+
+
+@pytest.mark.parametrize("hub", [0, MANY])
+def test_an_order_that_fills_the_matrix_is_given_up(hub: int) -> None:
+    """An arrow: a hub that all others are coupled with. Once it is eliminated first, everything is coupled."""
+    graph = Graph()
+    rates, masses = graph.symbols(Group.QD, MANY + 1), graph.symbols(Group.P, MANY + 1)
+    products = [graph.unary(Op.EXP, mass) for mass in masses]
+    velocities = [graph.multiply(graph.constant(2.0), rate) for rate in rates]
+    form = AccelerationForm(graph)
+    for i, velocity in enumerate(velocities):
+        form.add_square(velocity, masses[i])
+        form.add_force(velocity, graph.one)
+        if i != hub:
+            form.add_product(velocity, velocities[hub], products[i])
+    before = len(graph)
+    solution = solve(form, rates)
+    assert len(graph) - before < MANY**3 / 6
+    given_masses = np.linspace(1.0, 2.0, MANY + 1)
+    given_masses[hub] = 60.0 * MANY
+    weights = np.diag(given_masses)
+    others = np.arange(MANY + 1) != hub
+    weights[hub, others] = weights[others, hub] = np.exp(given_masses[others])
+    given = {Group.P: list(given_masses), Group.QD: [0.0] * (MANY + 1)}
+    found = evaluate(graph, solution.own.accelerations, given)
+    np.testing.assert_allclose(found, np.linalg.solve(2.0 * weights, np.ones(MANY + 1)), rtol=1e-11)
