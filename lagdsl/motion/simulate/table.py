@@ -22,7 +22,7 @@ from lagdsl.motion.signals.trajectory import Columns, Event, Head, InvariantReco
 
 @record(kw_only=True)
 class Recorded:
-    """What was recorded along a motion. `columns` are those of the result, the time first, with the lowest and highest
+    """Records along a motion. `columns` are those of the result, the time first, with the lowest and highest
     values `ends` (2, columns but for time) in between; `drifts` (3, ni) are the start, the size and the largest drift
     of every invariant, `limits` the permitted ones."""
 
@@ -61,7 +61,7 @@ def trajectory(
     statistics: Statistics,
     finer: Callable[[bool], Trajectory | None] | None = None,
 ) -> Trajectory:
-    """What was recorded, by the names of the model."""
+    """The records, by the names of the model."""
     derivatives = recorded.sensitivities
     events = events_of(flat, layout, recorded.notes)
     return Trajectory(

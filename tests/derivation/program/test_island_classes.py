@@ -1,4 +1,4 @@
-"""What shares nothing but time, inputs and parameters is an island, and its program computes its part of the whole."""
+"""A part that shares nothing but time, inputs and parameters is an island, and its program computes its part of the whole."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ def _made(graph: Graph, op: Op, operands: Sequence[int]) -> int:
 
 
 def _slots(name: str, slots: Sequence[Slot], places: Iterable[int]) -> tuple[Slot, ...]:
-    """Those at `places`, numbered."""
+    """The slots at `places`, numbered."""
     return tuple(_slot(f"{name}{k}", slots[place].unit) for k, place in enumerate(places))
 
 

@@ -48,7 +48,7 @@ _KINDS: Mapping[Kind, str] = {
     "clock": "nclock",
     "load": "nload",
 }
-# What ends a step: without any of these an island has no instants of its own.
+# Guards, which end steps: without any of these an island has no instants of its own.
 _GUARDS = ("nindicator", "ngap", "nfriction", "ntimed", "nclock", "ncorner", "ndelay")
 
 
@@ -77,7 +77,7 @@ class Partition:
 def partition(program: Program) -> Partition | None:
     """None where there is one island alone. A `terminate` ends the motion of all, so it leaves one.
 
-    What has no guards never ends a step of others: all of that is one island, with what has neither coordinates nor
+    A part without guards never ends a step of others: all of that is one island, with what has neither coordinates nor
     states. Islands consist of whole components, so one component is one island.
     """
     if len(set(program.layout.components)) == 1:

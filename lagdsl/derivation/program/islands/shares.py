@@ -36,7 +36,7 @@ Shares: TypeAlias = "dict[tuple[str, str], list[Term]]"
 
 
 def shares(program: Program, parts: Partition) -> list[Shares]:
-    """Of every island. What depends on none is a term of the first one, or, where the least counts, of all.
+    """Of every island. A term that depends on none is a term of the first one, or, where the least counts, of all.
 
     Raises NotSeparable.
     """
@@ -99,7 +99,7 @@ def _sum(graph: Graph, owner: Mapping[int, int], root: int) -> Iterator[tuple[in
 
 
 def _least(graph: Graph, owner: Mapping[int, int], root: int) -> Iterator[tuple[int | None, Term]]:
-    """What the least is taken of, each with its island."""
+    """Numbers of which the least is taken, each with its island."""
     stack = [root]
     while stack:
         node = stack.pop()

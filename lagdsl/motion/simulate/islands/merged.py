@@ -17,7 +17,7 @@ from lagdsl.motion.simulate.islands.runs import IslandResult
 
 # Numbers of a row behind the columns: energy, residuals of positions, residuals of velocities.
 _CHECKS = 3
-# What happens to entries of which length, by kind; relations and what time changes are entries of w, warnings are
+# Lengths of the entries to which events of a kind happen; relations and what time changes are entries of w, warnings are
 # those of assertions or, behind them, of clauses.
 _HAPPENS_TO = {
     "tick": "nclock",
@@ -128,7 +128,7 @@ class Checks:
 def merged_notes(
     layout: Layout, islands: Sequence[Island], results: Sequence[IslandResult]
 ) -> list[tuple[float, str, int]]:
-    """What happened to the entries of the whole model, in the order of time. At one time an instant tells causes,
+    """Events of the entries of the whole model, in the order of time. At one time an instant tells causes,
     contacts, friction and resets, each in the order of the model."""
     numbered = [
         (number, note)

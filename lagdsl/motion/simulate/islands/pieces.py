@@ -1,4 +1,4 @@
-"""What a run of one island is made of: its part of the settings and of the start of the whole model."""
+"""Parts of a run of one island: its part of the settings and of the start of the whole model."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def pieces_of(engine: Engine, run: Run, initial: InitialState) -> list[Piece]:
 
 @remembered
 def _engines(program: Program) -> dict[tuple[EngineName, int], Engine]:
-    """Those of the classes of islands so far."""
+    """Engines of the classes of islands so far."""
     return {}
 
 
@@ -123,7 +123,7 @@ def _kept(values: Floats) -> Floats:
 
 
 class Places:
-    """Where the numbers of islands stand in those of the whole model."""
+    """Places of the numbers of islands in those of the whole model."""
 
     def __init__(self, layout: Layout) -> None:
         self._n = len(layout.coordinates)

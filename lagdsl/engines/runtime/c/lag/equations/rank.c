@@ -171,7 +171,7 @@ static void take_from_border(const lag_rank_estimate *estimate, size_t i)
     }
 }
 
-/* What a row leaves of itself beside those before it; `spare`: so many more may follow from others. False: none is left. */
+/* The part that a row leaves of itself beside those before it; `spare`: so many more may follow from others. False: none is left. */
 static int is_left(lag_rank_estimate *estimate, size_t i, double pivot, size_t *spare, double *least)
 {
     if (*spare > 0 && pivot <= LAG_FOLLOWS * LAG_FOLLOWS) {
