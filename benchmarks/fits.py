@@ -58,7 +58,7 @@ def section(found: dict[str, Any]) -> list[str]:
     return [
         "## Fits",
         "",
-        "`model.fit` of five parameters of a rotary pendulum with a motor, `benchmarks/models/furuta_motor.lag`, to 2000 rows",
-        f"of two noisy angles: {found['seconds']:.2f} CPU s, the median of {found['repetitions']} fits. Intervals of 95 %",
-        f"hold the truth in {parts} % of them.",
+        "`model.fit` of five parameters of a rotary pendulum with a motor, `benchmarks/models/furuta_motor.lag`,",
+        f"to 2000 rows of two noisy angles: {found['seconds']:.2f} CPU s, the median of {found['repetitions']} fits.",
+        f"Intervals of 95 % hold the truth in {parts} % of them.",
     ]

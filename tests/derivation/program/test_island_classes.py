@@ -1,4 +1,4 @@
-"""A part that shares nothing but time, inputs and parameters is an island, and its program computes its part of the whole."""
+"""An island shares nothing but time, inputs and parameters, and its program computes its part of the whole."""
 
 from __future__ import annotations
 

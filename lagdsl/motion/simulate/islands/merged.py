@@ -17,8 +17,8 @@ from lagdsl.motion.simulate.islands.runs import IslandResult
 
 # Numbers of a row behind the columns: energy, residuals of positions, residuals of velocities.
 _CHECKS = 3
-# Lengths of the entries to which events of a kind happen; relations and what time changes are entries of w, warnings are
-# those of assertions or, behind them, of clauses.
+# Lengths of the entries to which events of a kind happen; relations and what time changes are entries of w, warnings
+# are those of assertions or, behind them, of clauses.
 _HAPPENS_TO = {
     "tick": "nclock",
     **dict.fromkeys(("opened", "closed", "impact"), "ncontact"),

@@ -58,14 +58,20 @@ static inline void lag_fill(size_t count, double value, double *x)
     }
 }
 
-/* True if an entry of x (count) is not zero. */
-static inline int lag_any(size_t count, const double *x)
+/* The first entry of x (count) that is not zero; count: there is none. */
+static inline size_t lag_first(size_t count, const double *x)
 {
     size_t i = 0;
     while (i < count && x[i] == 0.0) {
         ++i;
     }
-    return i < count;
+    return i;
+}
+
+/* True if an entry of x (count) is not zero. */
+static inline int lag_any(size_t count, const double *x)
+{
+    return lag_first(count, x) < count;
 }
 
 #endif

@@ -39,11 +39,7 @@ static const char *name_of(size_t count, const lag_slot *slots, size_t which)
 static const char *unsettled_discrete(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    size_t i = 0;
-    while (i < model->nw && instance->run->instants.iteration.discretes.guilty[i] == 0.0) {
-        ++i;
-    }
-    return name_of(model->nw, model->discretes, i);
+    return name_of(model->nw, model->discretes, lag_first(model->nw, instance->run->instants.iteration.discretes.guilty));
 }
 
 /* Name of the state that has placed a mass elsewhere, as a clause has set it, else of the first discrete that has changed. */
@@ -139,13 +135,12 @@ static words words_of(const lag_instance *instance, lag_status status, char *row
 const char *lag_instance_warning(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
-    for (size_t i = 0; i < model->na + model->nfail; ++i) {
-        if (instance->warnings[i] != 0.0) {
-            instance->warnings[i] = 0.0;
-            return i < model->na ? model->assertions[i] : model->failures[i - model->na];
-        }
+    const size_t i = lag_first(model->na + model->nfail, instance->warnings);
+    if (i == model->na + model->nfail) {
+        return NULL;
     }
-    return NULL;
+    instance->warnings[i] = 0.0;
+    return i < model->na ? model->assertions[i] : model->failures[i - model->na];
 }
 
 lag_status lag_instance_judge(lag_instance *instance, lag_status status)

@@ -170,15 +170,10 @@ lag_status lag_instance_assert(lag_instance *instance, double t, const double *x
     }
     instance->values.known = 0;
     lag_status status = lag_motion_solve(&instance->run->motion, t, x);
-    if (status == LAG_OK) {
-        status = model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held);
-    }
+    status = status == LAG_OK ? model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held) : status;
     status = status == LAG_OK ? lag_conditions_assert(watch) : status;
-    for (size_t i = 0; i < model->na && status == LAG_OK; ++i) {
-        i = lag_conditions_warning(watch, i);
-        if (i < model->na) {
-            instance->warnings[i] = 1.0;
-        }
+    for (size_t i = status == LAG_OK ? lag_conditions_warning(watch, 0) : model->na; i < model->na; i = lag_conditions_warning(watch, i + 1)) {
+        instance->warnings[i] = 1.0;
     }
     return status;
 }
