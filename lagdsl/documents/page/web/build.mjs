@@ -30,12 +30,15 @@ await build({ ...common, entryPoints: ["src/main.ts"], outfile: "dist/page.js", 
 await build({ ...common, entryPoints: ["src/loader.ts"], outfile: "dist/loader.js" });
 await build({ ...common, entryPoints: ["src/worker.ts"], outfile: "dist/worker.js" });
 await build({ ...common, entryPoints: ["src/page.css"], outfile: "dist/page.css" });
-const notices = [];
+const notices = new Map(); // the terms that several share stand once
 for (const [name, license] of [["gifenc", "LICENSE.md"], ["three", "LICENSE"], ["uplot", "LICENSE"]]) {
   const { version } = JSON.parse(await readFile(`node_modules/${name}/package.json`, "utf8"));
-  notices.push(`${name} ${version}\n\n${(await readFile(`node_modules/${name}/${license}`, "utf8")).trim()}\n`);
+  const [holder, terms] = (await readFile(`node_modules/${name}/${license}`, "utf8")).split(/(?=Permission is hereby granted)/);
+  const same = terms.replace(/\s+/g, " ").trim();
+  notices.set(same, [...(notices.get(same) ?? []), `${name} ${version}\n\n${holder.trim()}`]);
 }
-await writeFile("dist/licenses.txt", notices.join("\n"));
+const texts = [...notices].map(([terms, holders]) => [...holders, terms].join("\n\n"));
+await writeFile("dist/licenses.txt", `${texts.join("\n\n")}\n`);
 
 const sources = (await readdir("src")).map((name) => `src/${name}`);
 const digest = createHash("sha256");
