@@ -115,6 +115,12 @@ const char *lag_instance_message(const lag_instance *instance)
     return instance->message;
 }
 
+const char *lag_instance_warning(lag_instance *instance)
+{
+    (void)instance;
+    return NULL;
+}
+
 static double *stand_in_place(lag_instance *instance, size_t variable)
 {
     lag_held_values *held = &instance->held;
