@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.functions import BY_NAME
 from lagdsl.derivation.program.lengths import counted, sizes
-from lagdsl.derivation.program.program import Block, Layout, Program
+from lagdsl.derivation.program.program import Layout, Program
+from lagdsl.derivation.program.ties import Ties
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.events import Kind
 
@@ -89,37 +90,17 @@ def partition(program: Program) -> Partition | None:
     first, total = dict[str, int](), 0
     for axis, length in lengths.items():
         first[axis], total = total, total + length
-    items = _Items(total)
+    graph = program.graph
+    items = Ties(graph, total, AXIS_OF, lambda node: first[AXIS_OF[graph.group(node)]] + graph.b[node])
     for one, other in _belonging(program, lengths):
         items.join(first[one[0]] + one[1], first[other[0]] + other[1])
-    _Elements(program, first, items).tie()
+    _tie_results(program, first, items)
     owners = _owners(items, first, lengths)
     if len(set(owners)) < 2:
         return None
     names: dict[int, int] = {}
     number = [names.setdefault(owner, len(names)) for owner in owners]
     return Partition(_islands(number, first, lengths), first, number)
-
-
-class _Items:
-    """Disjoint sets of items."""
-
-    def __init__(self, count: int) -> None:
-        self._leader = list(range(count))
-
-    def leader_of(self, item: int) -> int:
-        leader = self._leader
-        while leader[item] != item:
-            leader[item] = item = leader[leader[item]]
-        return item
-
-    def join(self, one: int, other: int) -> None:
-        one, other = self.leader_of(one), self.leader_of(other)
-        if one != other:
-            self._leader[max(one, other)] = min(one, other)
-
-    def leaders(self) -> list[int]:
-        return [self.leader_of(item) for item in range(len(self._leader))]
 
 
 def _belonging(program: Program, lengths: Mapping[str, int]) -> Iterator[tuple[tuple[str, int], tuple[str, int]]]:
@@ -164,56 +145,28 @@ def _constants(program: Program, name: str, result: str) -> list[int]:
     return [int(program.graph.value[node]) for node in program.function(name).results[place].elements]
 
 
-class _Elements:
-    """Ties by the elements of results; each node knows one of the items that it depends on."""
-
-    def __init__(self, program: Program, first: Mapping[str, int], items: _Items) -> None:
-        self._program, self._first, self._items = program, first, items
-        self._member = [-1] * len(program.graph)  # -1: depends on none
-
-    def tie(self) -> None:
-        graph, roots, tied = self._program.graph, set[int](), list[tuple[tuple[str, ...], Block]]()
-        for function in self._program.functions:
-            for result, block in zip(BY_NAME[function.name].results, function.results, strict=True):
-                if result.shape and function.name not in OF_STARTS and "nu" not in result.shape:
-                    tied.append((result.shape, block))
-                    roots.update(block.nodes)
-        self._look(graph.live(roots))
-        for shape, block in tied:
-            for item, node in self._at(shape, block):
-                if self._member[node] >= 0:
-                    self._items.join(item, self._member[node])
-
-    def _at(self, shape: tuple[str, ...], block: Block) -> Iterator[tuple[int, int]]:
-        """Items and the elements that stand there; both items of an entry of a matrix are one."""
-        rows = self._first[shape[0]]
+def _tie_results(program: Program, first: Mapping[str, int], items: Ties) -> None:
+    """By the elements of results, and both items of an entry of a matrix."""
+    tied = [
+        (result.shape, block)
+        for function in program.functions
+        for result, block in zip(BY_NAME[function.name].results, function.results, strict=True)
+        if result.shape and function.name not in OF_STARTS and "nu" not in result.shape
+    ]
+    items.look({node for _, block in tied for node in block.nodes})
+    for shape, block in tied:
+        rows = first[shape[0]]
         if len(shape) == 1:
-            yield from zip(range(rows, rows + block.size), block.nodes, strict=True)
-            return
-        columns, width = self._first[shape[1]], block.shape[1]
+            for place, node in enumerate(block.nodes):
+                items.tie(rows + place, node)
+            continue
+        columns, width = first[shape[1]], block.shape[1]
         for place, node in block.entries:
-            item = rows + place // width
-            self._items.join(item, columns + place % width)
-            yield item, node
-
-    def _look(self, live: Iterable[int]) -> None:
-        graph, member, items = self._program.graph, self._member, self._items
-        operands, groups = graph.operands, graph.groups
-        mask = sum(1 << group for group in AXIS_OF)
-        for node in live:
-            if not groups[node] & mask:
-                continue
-            found = -1 if operands[node] else self._first[AXIS_OF[graph.group(node)]] + graph.b[node]
-            for operand in operands[node]:
-                other = member[operand]
-                if other >= 0 and other != found:
-                    if found >= 0:
-                        items.join(found, other)
-                    found = other
-            member[node] = found
+            items.join(rows + place // width, columns + place % width)
+            items.tie(rows + place // width, node)
 
 
-def _owners(items: _Items, first: Mapping[str, int], lengths: Mapping[str, int]) -> list[int]:
+def _owners(items: Ties, first: Mapping[str, int], lengths: Mapping[str, int]) -> list[int]:
     """For each item the leader of its island."""
     leaders = items.leaders()
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Program
+from lagdsl.derivation.program.ties import Ties
 
 # Entries of w that belong to time alone, or to the whole model, couple nothing.
 _COUPLING = frozenset(
@@ -28,11 +29,12 @@ def components(program: Program) -> tuple[int, ...]:
     these functions is seen once.
     """
     layout = program.layout
-    found = _Components(program)
-    nq, nz = len(layout.coordinates), len(layout.states)
+    nq, nz, nw = len(layout.coordinates), len(layout.states), len(layout.discretes)
+    total = nq + nz + nw + len(layout.constraints)
     coordinates, states = range(nq), range(nq, nq + nz)
-    multipliers = range(found.first[Group.LAMBDA], found.first[Group.LAMBDA] + len(layout.constraints))
-    discretes = range(found.first[Group.W], found.first[Group.W] + len(layout.discretes))
+    discretes, multipliers = range(nq + nz, nq + nz + nw), range(nq + nz + nw, total)
+    first = {Group.Q: 0, Group.QD: 0, Group.QDD: 0, Group.Z: nq, Group.W: nq + nz, Group.LAMBDA: nq + nz + nw}
+    found = Ties(program.graph, total, first, _item_of(program, first))
     relations, contacts, frictions, delays, loads = (
         [place for place, kind in zip(discretes, layout.kinds, strict=False) if kind == wanted]
         for wanted in ("relation", "contact", "sticks", "delay", "load")
@@ -62,56 +64,19 @@ def components(program: Program) -> tuple[int, ...]:
     blocks = [(program.function(name).results[i].elements, places) for name, i, places in ties if program.has(name)]
     found.look(node for elements, _ in blocks for node in elements)
     for elements, places in blocks:
-        found.tie(elements, places)
+        for element, place in zip(elements, places, strict=False):
+            found.tie(place, element)
     names: dict[int, int] = {}
     return tuple(names.setdefault(found.leader_of(place), len(names)) for place in range(nq + nz))
 
 
-class _Components:
-    """Disjoint sets of coordinates, states, multipliers and discretes; each node knows one of those it depends on."""
+def _item_of(program: Program, first: Mapping[Group, int]) -> Callable[[int], int]:
+    """The item of a symbol, from the first one of its group on; -1 of what couples nothing."""
+    graph = program.graph
+    idle = frozenset(i for i, kind in enumerate(program.layout.kinds) if kind not in _COUPLING)
 
-    def __init__(self, program: Program) -> None:
-        layout, self._program = program.layout, program
-        nq, nz, nw = len(layout.coordinates), len(layout.states), len(layout.discretes)
-        self.first = {Group.Q: 0, Group.QD: 0, Group.QDD: 0, Group.Z: nq, Group.W: nq + nz, Group.LAMBDA: nq + nz + nw}
-        self._idle = frozenset(i for i, kind in enumerate(layout.kinds) if kind not in _COUPLING)
-        self._leader = list(range(nq + nz + nw + len(layout.constraints)))
-        self._member = [-1] * len(program.graph)  # -1: depends on none
-        self._mask = sum(1 << group for group in self.first)
+    def found(node: int) -> int:
+        group, index = graph.group(node), graph.b[node]
+        return -1 if group is Group.W and index in idle else first[group] + index
 
-    def leader_of(self, place: int) -> int:
-        leader = self._leader
-        while leader[place] != place:
-            leader[place] = place = leader[leader[place]]
-        return place
-
-    def look(self, roots: Iterable[int]) -> None:
-        """Symbols on which `roots` and all nodes below them depend."""
-        graph, member, mask = self._program.graph, self._member, self._mask
-        operands, groups = graph.operands, graph.groups
-        for node in graph.live(roots):
-            if not groups[node] & mask:
-                continue
-            found = -1 if operands[node] else self._symbol(node)
-            for operand in operands[node]:
-                other = member[operand]
-                if other >= 0 and other != found:
-                    if found >= 0:
-                        self._join(found, other)
-                    found = other
-            member[node] = found
-
-    def tie(self, elements: Sequence[int], places: Sequence[int]) -> None:
-        """Element by element what it depends on, and its place."""
-        for element, place in zip(elements, places, strict=False):
-            if self._member[element] >= 0:
-                self._join(place, self._member[element])
-
-    def _symbol(self, node: int) -> int:
-        group, index = self._program.graph.group(node), self._program.graph.b[node]
-        return -1 if group is Group.W and index in self._idle else self.first[group] + index
-
-    def _join(self, one: int, other: int) -> None:
-        one, other = self.leader_of(one), self.leader_of(other)
-        if one != other:
-            self._leader[max(one, other)] = min(one, other)
+    return found
