@@ -11,10 +11,9 @@ from __future__ import annotations
 
 from lagdsl.algebra.eliminate.rows import Side
 from lagdsl.algebra.eliminate.solve import respond
-from lagdsl.derivation.mechanics.eliminated import Eliminated
 from lagdsl.derivation.mechanics.equations import Equations
 from lagdsl.derivation.program.functions import OPTIONAL
-from lagdsl.derivation.program.program import Function, number_block, vector_block
+from lagdsl.derivation.program.program import Eliminated, Function, number_block, vector_block
 
 # The dense solution of fewer coordinates takes no longer than a step.
 _FEW = 8

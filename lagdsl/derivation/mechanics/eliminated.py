@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import islice
 
 from lagdsl.algebra.eliminate.count import flops
 from lagdsl.algebra.eliminate.form import AccelerationForm, NotApplicable
 from lagdsl.algebra.eliminate.rows import Row, Rows
-from lagdsl.algebra.eliminate.solve import Factor, Solution, solve
-from lagdsl.algebra.graph.graph import Graph
+from lagdsl.algebra.eliminate.solve import Solution, solve
 from lagdsl.derivation.mechanics.constraints import rows_of, with_baumgarte_terms
 from lagdsl.derivation.mechanics.equations import Equations
 from lagdsl.derivation.mechanics.lagrange.inertia import acceleration_form
 from lagdsl.derivation.mechanics.lowering.symbols import Directions
 from lagdsl.derivation.program.functions import OPTIONAL
-from lagdsl.derivation.program.passes.fuse import exact
-from lagdsl.derivation.program.passes.reassociate import reassociate
-from lagdsl.derivation.program.program import Block, Function, matrix_block, number_block, vector_block
+from lagdsl.derivation.program.passes.reassociate import reassociated
+from lagdsl.derivation.program.program import Block, Eliminated, Function, matrix_block, number_block, vector_block
 from lagdsl.derivation.structure.redundant_multipliers import (
     choose_rows,
     least_pivot,
@@ -26,21 +23,6 @@ from lagdsl.derivation.structure.redundant_multipliers import (
 )
 from lagdsl.derivation.structure.structure import Structure
 from lagdsl.foundation.diagnostics import CompilationFailed
-from lagdsl.foundation.record import record
-
-
-@record(kw_only=True)
-class Eliminated:
-    """The function `elimination`, and what solves other right-hand sides in the same way; `pivot` is that of both.
-
-    `accelerations` and `multipliers` are those of the function, with the nodes that `factor` has too.
-    """
-
-    function: Function
-    factor: Factor
-    pivot: int
-    accelerations: Block
-    multipliers: Block
 
 
 def eliminate(
@@ -75,7 +57,7 @@ def eliminate(
     cost = flops(graph, [node for block in blocks for node in block.nodes])
     if cost + _delassus(n, m, len(solution.along)) >= most:
         return None
-    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=_reassociated(graph, blocks))
+    function = Function(name="elimination", arguments=OPTIONAL["elimination"], results=reassociated(graph, blocks))
     return Eliminated(
         function=function, factor=solution.factor, pivot=pivot, accelerations=blocks[0], multipliers=blocks[1]
     )
@@ -121,10 +103,3 @@ def _blocks(solution: Solution, m: int, pivot: int) -> tuple[Block, ...]:
         vector_block("gamma", [row.bias for row in kept]),
         number_block("pivot", pivot),
     )
-
-
-def _reassociated(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
-    """The same values, sooner; what the last one, the check of pivots, compares is nothing that must be exact."""
-    kept = exact(graph, [node for block in blocks[:-1] for node in block.nodes])
-    nodes = iter(reassociate(graph, [node for block in blocks for node in block.nodes], kept))
-    return tuple(block.with_nodes(list(islice(nodes, len(block.nodes)))) for block in blocks)

@@ -27,7 +27,7 @@ def solve(equations: Equations, program: Program, structure: Structure | None = 
     change = acceleration_tangent(found, *program.function("residual_tangent").results)
     added = (found.function, change, *correction(equations, found))
     kept = tuple(row.index for row in found.factor.rows.kept)
-    return replace(program, functions=(*program.functions, *added), kept_rows=kept, factor=found.factor)
+    return replace(program, functions=(*program.functions, *added), kept_rows=kept, eliminated=found)
 
 
 def cost_of_forming(program: Program) -> int:

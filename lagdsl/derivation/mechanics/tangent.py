@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from lagdsl.algebra.eliminate.rows import Side
 from lagdsl.algebra.eliminate.solve import respond
-from lagdsl.derivation.mechanics.eliminated import Eliminated
 from lagdsl.derivation.program.functions import OPTIONAL
-from lagdsl.derivation.program.program import Block, Function, number_block, vector_block
+from lagdsl.derivation.program.program import Block, Eliminated, Function, number_block, vector_block
 
 
 def acceleration_tangent(found: Eliminated, motion: Block, rows: Block) -> Function:

@@ -208,12 +208,26 @@ class Function:
     doc: str = ""
 
 
+@record(kw_only=True)
+class Eliminated:
+    """The function `elimination`, and what solves other right-hand sides in the same way; `pivot` is that of both.
+
+    `accelerations` and `multipliers` are those of the function, with the nodes that `factor` has too.
+    """
+
+    function: Function
+    factor: Factor
+    pivot: int
+    accelerations: Block
+    multipliers: Block
+
+
 @record(kw_only=True, weak=True)
 class Program:
     """One complete model as functions. `lagdsl/derivation/program/functions.py` lists the functions.
 
-    `kept_rows` are the rows, ascending, whose multipliers the function `elimination` leaves to run time; `factor` is
-    what it solves other right-hand sides by.
+    `kept_rows` are the rows, ascending, whose multipliers the function `elimination` leaves to run time; `eliminated`
+    is how it solves for all else.
     """
 
     name: str
@@ -221,7 +235,7 @@ class Program:
     graph: Graph
     functions: tuple[Function, ...]
     kept_rows: tuple[int, ...] = ()
-    factor: Factor | None = None
+    eliminated: Eliminated | None = None
 
     def has(self, name: str) -> bool:
         return any(f.name == name for f in self.functions)

@@ -18,7 +18,8 @@ from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import DIRECTION_OF, Group
 from lagdsl.algebra.graph.substitute import Substitution
 from lagdsl.derivation.program.passes.along import along, elements
-from lagdsl.derivation.program.program import Block, Program, matrix_block
+from lagdsl.derivation.program.passes.reassociate import reassociated
+from lagdsl.derivation.program.program import Block, Eliminated, Program, matrix_block, number_block
 from lagdsl.foundation.record import record, remembered
 
 # Names of the results in lag_tangents.
@@ -50,13 +51,13 @@ class MotionJacobian:
 def motion_jacobian(program: Program) -> MotionJacobian | None:
     """None where passes over lanes of directions take fewer operations, a vector counting as one; and where
     multipliers, or loads, are left to run time."""
-    factor = program.factor
-    if factor is None or program.kept_rows or "load" in program.layout.kinds:
+    eliminated = program.eliminated
+    if eliminated is None or program.kept_rows or "load" in program.layout.kinds:
         return None
     most = _operations_in_lanes(program)
     budget = Budget(program.graph, _NODES_PER_OPERATION * most)
     try:
-        found = _found(program, factor, budget)
+        found = _found(program, eliminated, budget)
     except TooMany:
         return None
     nodes = [node for block in found.results for node in block.nodes]
@@ -77,10 +78,9 @@ def _operations_in_lanes(program: Program) -> int:
     return total
 
 
-def _found(program: Program, factor: Factor, budget: Budget) -> MotionJacobian:
+def _found(program: Program, eliminated: Eliminated, budget: Budget) -> MotionJacobian:
     graph = program.graph
-    elimination = program.function("elimination").results
-    motion = (elimination[0], elimination[1], elimination[-1])
+    motion = (eliminated.accelerations, eliminated.multipliers, number_block("pivot", eliminated.pivot))
     values = _symbols(program, _VALUES)
     solution = Substitution(graph, dict(zip(values, (*motion[0].elements, *motion[1].elements), strict=True)))
     equations = [node for block in program.function("residual").results for node in block.nodes]
@@ -92,17 +92,18 @@ def _found(program: Program, factor: Factor, budget: Budget) -> MotionJacobian:
 
     state, parameters = _symbols(program, _STATE), _symbols(program, (Group.P,))
     of_values = derivatives(values)[len(equations) :]
-    response = _response(graph, factor, program.layout.size(Group.LAMBDA))
+    response = _response(graph, eliminated.factor, program.layout.size(Group.LAMBDA))
     budget.check()
     own = [graph.zero] * len(rates)
     accelerations = [[*row, *own] for row in response[: len(motion[0].elements)]]
     solved = [*accelerations, *_of_rates(graph, of_values, response)]
-    return MotionJacobian(
-        motion,
+    derived = (
         matrix_block("response", solved, len(rows)),
         matrix_block("by_state", derivatives(state), len(state)),
         matrix_block("by_parameter", derivatives(parameters), len(parameters)),
     )
+    first, second, third, *others = reassociated(graph, (*motion, *derived))
+    return MotionJacobian((first, second, third), *others)
 
 
 def _symbols(program: Program, groups: Sequence[Group]) -> list[int]:

@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Collection, Sequence
+from itertools import islice
 
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import Group, Op
+from lagdsl.derivation.program.passes.fuse import exact
+from lagdsl.derivation.program.program import Block
 
 # Latency of operations, in additions; all others are as rare as a root.
 _LATENCY = {Op.NEGATE: 0, Op.ADD: 1, Op.SUBTRACT: 1, Op.MULTIPLY: 1, Op.DIVIDE: 3}
@@ -24,6 +27,14 @@ _LEVELS = {op: 1 if op in (Op.ADD, Op.SUBTRACT) else 2 if op is Op.MULTIPLY else
 def reassociate(graph: Graph, roots: Sequence[int], kept: Collection[int]) -> list[int]:
     """Nodes that mean the same as `roots`, up to rounding, with the latest operands outermost. Nodes of `kept` stay."""
     return _Pass(graph, roots, kept).roots
+
+
+def reassociated(graph: Graph, blocks: Sequence[Block]) -> tuple[Block, ...]:
+    """Results of one function with the same values, sooner; what the check of pivots compares is nothing that must be
+    exact."""
+    kept = exact(graph, [node for block in blocks if block.name != "pivot" for node in block.nodes])
+    nodes = iter(reassociate(graph, [node for block in blocks for node in block.nodes], kept))
+    return tuple(block.with_nodes(list(islice(nodes, len(block.nodes)))) for block in blocks)
 
 
 class _Pass:
