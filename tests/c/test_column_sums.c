@@ -75,7 +75,7 @@ static void test_rates(size_t width, size_t lanes)
     size_t number[1] = {2};
     size_t lane[1] = {0};
     double part[1] = {-0.5};
-    const lag_parameter_entries entries = {lead, lead_part, first, number, lane, part};
+    const lag_parameter_entries entries = {lanes, lead, lead_part, first, number, lane, part};
     const lag_motion_product motion = {NQ, NP, SIZE, {EQUATIONS, SIZE, SIZE + 1, by}, {EQUATIONS, 1, SIZE + 1, by + SIZE},
         {SIZE - NQ, EQUATIONS, EQUATIONS, response}, by_parameter, along, sum};
     draw_all(&seed, EQUATIONS * (SIZE + 1), by);
@@ -107,20 +107,15 @@ static void test_rates(size_t width, size_t lanes)
     }
 }
 
-/* Dense output and tolerances: bits of the narrowest registers, and of plain sums. */
-static void test_errors(size_t width, size_t lanes)
+/* Dense output: bits of the narrowest registers. */
+static void test_dense(size_t width, size_t lanes)
 {
     unsigned long long seed = 3 + width + lanes;
-    double terms[LAG_DOP853_TERMS * SIZE * MOST], x[SIZE * MOST], behind[SIZE * MOST], of_state[SIZE], extent[MOST];
+    double terms[LAG_DOP853_TERMS * SIZE * MOST], x[SIZE * MOST];
     double found[SIZE * MOST], plain[SIZE * MOST];
     const size_t count = SIZE * lanes;
     draw_all(&seed, LAG_DOP853_TERMS * SIZE * MOST, terms);
     draw_all(&seed, SIZE * MOST, x);
-    draw_all(&seed, SIZE * MOST, behind);
-    for (size_t i = 0; i < MOST; ++i) {
-        extent[i] = 0.1 * (double)i;
-        of_state[i % SIZE] = 1e-6 * (double)(1 + i);
-    }
     lag_column_sums_of(0)->interpolate(count, terms, 0.3, x, plain);
     lag_column_sums_of(width)->interpolate(count, terms, 0.3, x, found);
     CHECK(memcmp(plain, found, count * sizeof(double)) == 0);
@@ -128,8 +123,23 @@ static void test_errors(size_t width, size_t lanes)
     for (size_t i = 0; i < count; ++i) {
         CHECK_NEAR(found[i], x[i] + terms[i], 1e-15);
     }
-    const lag_attempt_arrays at = {.size = SIZE, .lanes = lanes, .x = x, .x_new = behind};
-    lag_column_sums_of(width)->tolerances(&at, of_state, 1e-5, extent, found);
+}
+
+/* The largest error: that of each column by sizes of its own, (2.10.17) of Hairer, Norsett and Wanner; of the narrowest registers the same bits. */
+static void test_error(size_t width, size_t lanes)
+{
+    unsigned long long seed = 5 + width + lanes;
+    double slopes[LAG_DOP853_SLOPES * SIZE * MOST], x[SIZE * MOST], behind[SIZE * MOST], of_state[SIZE], extent[MOST], tolerance[SIZE * MOST];
+    lag_attempt_arrays at = {.size = SIZE, .lanes = lanes, .x = x, .x_new = behind, .slope = slopes};
+    double error[MOST], most = 0.0;
+    draw_all(&seed, LAG_DOP853_SLOPES * SIZE * MOST, slopes);
+    draw_all(&seed, SIZE * MOST, x);
+    draw_all(&seed, SIZE * MOST, behind);
+    for (size_t i = 0; i < MOST; ++i) {
+        extent[i] = 100.0 * (double)i; /* some are larger than 1e-5 of the columns by of_state */
+        of_state[i % SIZE] = 1e-8 * (double)(1 + i);
+        at.h[i] = 0.3;
+    }
     for (size_t k = 0; k < lanes; ++k) {
         double before = 0.0, after = 0.0;
         for (size_t i = 0; i < SIZE; ++i) {
@@ -137,10 +147,19 @@ static void test_errors(size_t width, size_t lanes)
             after += pow(behind[i * lanes + k] / of_state[i], 2.0);
         }
         for (size_t i = 0; i < SIZE; ++i) {
-            const double length = fmax(extent[k], 1e-5 * sqrt(fmax(before, after) / SIZE));
-            CHECK_NEAR(found[i * lanes + k], length * of_state[i], 1e-13 * length * of_state[i]);
+            tolerance[i * lanes + k] = fmax(extent[k], 1e-5 * sqrt(fmax(before, after) / SIZE)) * of_state[i];
         }
     }
+    at.tolerance = tolerance;
+    lag_attempt_errors(&at, error);
+    for (size_t k = 0; k < lanes; ++k) {
+        most = fmax(most, error[k]);
+    }
+    const double found = lag_column_sums_of(width)->error(&at, of_state, 1e-5, extent);
+    CHECK_NEAR(found, most, 1e-13 * most);
+    CHECK(found == lag_column_sums_of(0)->error(&at, of_state, 1e-5, extent));
+    slopes[0] = (double)NAN;
+    CHECK(lag_column_sums_of(width)->error(&at, of_state, 1e-5, extent) == (double)INFINITY);
 }
 
 enum { STAGES = LAG_RADAU_STAGES, NZ = 1, M = NQ + NZ, N = NQ + M, ROWS = STAGES * M };
@@ -195,7 +214,8 @@ int main(void)
         for (size_t lanes = 1; lanes <= MOST && has(width); lanes *= 2) {
             test_products(width, lanes);
             test_rates(width, lanes);
-            test_errors(width, lanes);
+            test_dense(width, lanes);
+            test_error(width, lanes);
             for (size_t i = 0; i < LAG_RADAU_TABLES; ++i) {
                 test_stages(width, lanes, &lag_radau_tables[i]);
             }

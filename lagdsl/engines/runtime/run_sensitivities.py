@@ -82,7 +82,7 @@ class RunSensitivities:
 
     def rows(self) -> Floats:
         """Derivatives of all rows so far (rows, count, width)."""
-        return np.concatenate([self._rows[:0], *self._taken])
+        return self._taken[0] if len(self._taken) == 1 else np.concatenate([self._rows[:0], *self._taken])
 
     def times(self) -> Floats:
         """Derivatives of the times of all notes so far (notes, count)."""

@@ -166,12 +166,22 @@ def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
 def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensitivities:
     """Derivatives of all rows so far."""
     found = run.results.derivatives()
-    rows = found.rows()
-    heads = [head[0] for head in heads_of(flat)]
-    table = np.zeros((len(rows), len(names), len(heads)))
-    for column, place in enumerate(places_of_columns(flat)):
-        if place:  # time does not change
-            table[:, :, column] = rows[:, :, place - 1]
-    places = {name: column for column, name in enumerate(heads)}
+    rows, columns = found.rows(), _columns_of_derivatives(flat)
+    table = np.zeros((len(rows), len(names), 1 + rows[:, :, columns].shape[2]))  # time does not change
+    table[:, :, 1:] = rows[:, :, columns]
+    return Sensitivities(names=tuple(names), table=table, times=found.times(), places=_places_of_names(flat))
+
+
+@remembered
+def _columns_of_derivatives(flat: FlatModel) -> slice | list[int]:
+    """Places of all columns but time in a row of derivatives, as one piece where it is one."""
+    places = [place - 1 for place in places_of_columns(flat)[1:]]
+    return slice(len(places)) if places == list(range(len(places))) else places
+
+
+@remembered
+def _places_of_names(flat: FlatModel) -> dict[str, int]:
+    """Columns of all names."""
+    places = {head[0]: column for column, head in enumerate(heads_of(flat))}
     others = {other: places[name] for name, each in other_names(flat).items() for other in each if name in places}
-    return Sensitivities(names=tuple(names), table=table, times=found.times(), places=places | others)
+    return places | others

@@ -51,6 +51,30 @@ def _moved(model: lagdsl.Model, name: str, value: float, solver: str) -> NDArray
     return np.array([motion[of] for of in COLUMNS])
 
 
+@pytest.mark.parametrize("solver", ["rk4", "leapfrog", "ros2", "dop853", "radau"])
+def test_a_column_does_not_depend_on_how_many_there_are(solver: str) -> None:
+    """Blocks of eight columns, the last of 1, 2, 4 or 8; steps of fixed length give the same bits."""
+    more = [f"k{i}" for i in range(1, 8)]
+    text = COUPLED.replace(
+        "input Force", f"parameter Real {', '.join(f'{name} = 0.1' for name in more)};\n  input Force"
+    )
+    text = text.replace("  force u", "  force delay(x, 0.15 s)*(k1 N/m) + (k2 N)*sin(y/(1 m)) on y;\n  force u", 1)
+    text = text.replace("der(z) = (", f"der(z) = ({' + '.join(f'{name}*z' for name in more[2:])} + ").replace(
+        "(k1 N/m)", "k1*(1 N/m)"
+    )
+    model = lagdsl.compile(text.replace("(k2 N)", "k2*(1 N)"), engine="tape")
+    names = [*VALUES, *more]
+    fixed = solver in ("rk4", "leapfrog", "ros2")
+    options = {"step": 0.1} if fixed else {"tolerance": 1e-10}
+    alone = {name: model.simulate(stop=0.5, interval=0.07, solver=solver, tangents=[name], **options) for name in names}
+    for count in (9, 10, 12, 14):
+        motion = model.simulate(stop=0.5, interval=0.07, solver=solver, tangents=names[:count], **options)
+        for name in names[:count]:
+            for of in COLUMNS:
+                found, exact = motion.derivative(of, name), alone[name].derivative(of, name)
+                np.testing.assert_allclose(found, exact, rtol=0.0 if fixed else 1e-8, atol=0.0 if fixed else 1e-9)
+
+
 @pytest.mark.parametrize("solver", ["rk4", "leapfrog", "ros2"])
 def test_a_column_is_the_derivative_of_the_computed_motion(solver: str) -> None:
     model = lagdsl.compile(COUPLED, engine="tape")

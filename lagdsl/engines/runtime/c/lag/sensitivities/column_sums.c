@@ -2,7 +2,7 @@
 
 #include "lag/sensitivities/column_sums_make.h"
 
-static const lag_column_sums own = {combine, errors, dense, interpolate, tolerances, multiply, rates, stage, decompose, collocate};
+static const lag_column_sums own = {combine, dense, interpolate, error, multiply, rates, decompose, collocate};
 
 /* The library is one for all processors: wider registers are used where there are some. */
 const lag_column_sums *lag_column_sums_of(size_t width)

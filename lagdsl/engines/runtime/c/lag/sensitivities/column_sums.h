@@ -14,10 +14,11 @@ typedef struct lag_rows_of_columns {
 } lag_rows_of_columns;
 
 /*
- * Entries of dp that are not zero: of each column the first (blocks, lanes), with the part zero where there is none; the others block after block, with
+ * Entries of dp that are not zero: of each column the first (count), with the part zero where there is none; the others block after block, with
  * the first of each (blocks + 1).
  */
 typedef struct lag_parameter_entries {
+    size_t columns; /* of all blocks but the last */
     size_t *lead;
     double *lead_part;
     size_t *first, *number, *lane;
@@ -33,36 +34,21 @@ typedef struct lag_motion_product {
     double *along, *sum;                    /* (equations, lanes) each */
 } lag_motion_product;
 
-/* A stage of a step for all blocks of columns. */
-typedef struct lag_columns_stage {
-    size_t blocks, lanes, stage;
-    const double *h;          /* (8) */
-    const double *x;          /* (blocks, size, lanes) at the beginning */
-    double *slopes;           /* (blocks, 16, size, lanes) */
-    double *columns;          /* (blocks, height, lanes): where the last stage leaves the new columns, with the directions of the inputs behind them */
-    size_t height;
-    double *point;            /* (size, lanes) */
-    const lag_parameter_entries *entries;
-} lag_columns_stage;
-
 typedef struct lag_column_sums {
     void (*combine)(size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out); /* lag_combine() */
-    void (*errors)(const lag_attempt_arrays *at, double *error); /* lag_attempt_errors() */
     void (*dense)(const lag_attempt_arrays *at, double *terms);  /* lag_attempt_dense() */
     /* to (count) = base and the dense output of such terms (7, count) at a part of the step */
     void (*interpolate)(size_t count, const double *terms, double part, const double *base, double *to);
     /*
-     * Sizes (size, lanes) that errors of a block are measured by: tolerances of the state (size) for a change of order one of what it is differentiated by,
-     * which is `extent` (lanes), and this part of the size of each column.
+     * The largest error of a column of a block, measured by the tolerances of the state (size) for a change of order one of what it is differentiated by,
+     * which is `extent` (lanes), or by this part of the size of the column where that is larger.
      */
-    void (*tolerances)(const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to);
+    double (*error)(const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent);
     /* to (height, lanes) = base (null: zero) + product of (width, lanes); `to` is neither of these */
     void (*multiply)(const lag_rows_of_columns *product, size_t lanes, const double *of, const double *base, double *to);
     /* Rates (size, lanes) of one block, whose number is that of its entries, along directions of the state (size, lanes) and of the inputs (nu, lanes). */
     void (*rates)(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes, const double *state,
         const double *inputs, double *rates);
-    /* Rates of the stage, into its slopes. */
-    void (*stage)(const lag_motion_product *motion, const lag_columns_stage *of);
     /* The matrix of the equations of stages, decomposed; 0: a pivot is zero or no number. */
     int (*decompose)(const lag_stage_equations *equations);
     /* The slopes (stages, n, lanes) at all stages where the columns of a block begin become what the stages add to these. */

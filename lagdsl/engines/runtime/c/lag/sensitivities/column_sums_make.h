@@ -74,8 +74,8 @@ LAG_ATTEMPT_INLINED void multiply_inlined(const lag_rows_of_columns *m, size_t l
 /* The equations along the parameters of a block. */
 LAG_ATTEMPT_INLINED void along_parameters(const lag_motion_product *motion, const lag_parameter_entries *entries, size_t block, size_t lanes)
 {
-    const size_t *lead = entries->lead + block * lanes;
-    const double *part = entries->lead_part + block * lanes;
+    const size_t *lead = entries->lead + block * entries->columns;
+    const double *part = entries->lead_part + block * entries->columns;
     for (size_t i = 0; i < motion->by_state.height; ++i) {
         const double *row = motion->by_parameter + i * motion->np;
         size_t lane = 0;
@@ -126,21 +126,6 @@ LAG_ATTEMPT_INLINED void rates_inlined(const lag_motion_product *motion, const l
     multiply_inlined(&motion->response, lanes, sum, NULL, rates + positions);
 }
 
-LAG_ATTEMPT_INLINED void stage_inlined(const lag_motion_product *motion, const lag_columns_stage *of)
-{
-    const size_t count = motion->size * of->lanes;
-    for (size_t block = 0; block < of->blocks; ++block) {
-        const double *x = of->x + block * count;
-        double *slopes = of->slopes + block * LAG_DOP853_SLOPES * count;
-        double *columns = of->columns + block * of->height * of->lanes;
-        double *point = of->stage == LAG_DOP853_END ? columns : of->point;
-        if (of->stage > 0) {
-            lag_combine(count, &lag_dop853_stages[of->stage], of->h, slopes, x, point);
-        }
-        rates_inlined(motion, of->entries, block, of->lanes, of->stage > 0 ? point : x, columns + count, slopes + of->stage * count);
-    }
-}
-
 /* Of a block: the slopes (stages, n, lanes) where its columns begin become what the stages add to these. */
 LAG_ATTEMPT_INLINED void collocate_inlined(const lag_stage_equations *e, size_t lanes, double *slopes)
 {
@@ -166,11 +151,6 @@ LAG_COLUMNS_TARGET static void combine(
     size_t count, const lag_combination *c, const double *h, const double *slope, const double *base, double *out)
 {
     lag_combine(count, c, h, slope, base, out);
-}
-
-LAG_COLUMNS_TARGET static void errors(const lag_attempt_arrays *at, double *error)
-{
-    lag_attempt_errors(at, error);
 }
 
 LAG_COLUMNS_TARGET static void dense(const lag_attempt_arrays *at, double *terms)
@@ -199,52 +179,99 @@ LAG_ATTEMPT_INLINED void interpolate_inlined(size_t count, const double *terms, 
     }
 }
 
-/* Adds to the squares (lanes) those of x (size, lanes) by the tolerances of the state. */
-LAG_ATTEMPT_INLINED void add_squares(size_t size, size_t lanes, const double *of_state, const double *x, double *squares)
-{
-    for (size_t i = 0; i < size; ++i) {
-        const double by = 1.0 / of_state[i];
-        size_t lane = 0;
+/* Sums of squares of a column: of both estimates of its error (Hairer, Norsett and Wanner, section II.10), of it before the step and behind it. */
+typedef struct squares {
+    double fifth[LAG_ATTEMPT_LANES], third[LAG_ATTEMPT_LANES], before[LAG_ATTEMPT_LANES], behind[LAG_ATTEMPT_LANES];
+} squares;
+
 #if defined(__GNUC__)
-        for (; lane + LAG_WIDTH <= lanes; lane += LAG_WIDTH) {
-            const lag_wide a = lag_wide_at(x + i * lanes + lane) * by;
-            lag_wide_to(squares + lane, lag_wide_at(squares + lane) + a * a);
+/* Of as many lanes as a register holds, from `lane` on. */
+LAG_ATTEMPT_INLINED void square_wide(const lag_attempt_arrays *at, const double *of_state, size_t lane, squares *to)
+{
+    const size_t count = at->size * at->lanes;
+    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
+    const lag_wide none = {0.0};
+    lag_wide fifth = none, third = none, before = none, behind = none;
+    for (size_t i = 0; i < at->size; ++i) {
+        const size_t entry = i * at->lanes + lane;
+        const double by = 1.0 / of_state[i];
+        lag_wide e5 = none;
+        lag_wide e3 = lag_wide_added(count, &lag_dop853_third, at->slope, entry, none);
+        for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
+            const lag_wide slope = lag_wide_at(at->slope + step->slope[j] * count + entry);
+            e5 += lag_dop853_fifth.weight[j] * slope;
+            e3 += step->weight[j] * slope;
         }
+        const lag_wide x = lag_wide_at(at->x + entry) * by;
+        const lag_wide x_new = lag_wide_at(at->x_new + entry) * by;
+        e5 *= by;
+        e3 *= by;
+        fifth += e5 * e5;
+        third += e3 * e3;
+        before += x * x;
+        behind += x_new * x_new;
+    }
+    lag_wide_to(to->fifth + lane, fifth);
+    lag_wide_to(to->third + lane, third);
+    lag_wide_to(to->before + lane, before);
+    lag_wide_to(to->behind + lane, behind);
+}
 #endif
-        for (; lane < lanes; ++lane) {
-            const double a = x[i * lanes + lane] * by;
-            squares[lane] += a * a;
-        }
+
+LAG_ATTEMPT_INLINED void square_one(const lag_attempt_arrays *at, const double *of_state, size_t lane, squares *to)
+{
+    const size_t count = at->size * at->lanes;
+    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
+    to->fifth[lane] = to->third[lane] = to->before[lane] = to->behind[lane] = 0.0;
+    for (size_t i = 0; i < at->size; ++i) {
+        const size_t entry = i * at->lanes + lane;
+        const double by = 1.0 / of_state[i];
+        const double e5 = lag_added(count, &lag_dop853_fifth, at->slope, entry, 0.0) * by;
+        const double e3 = lag_added(count, step, at->slope, entry, lag_added(count, &lag_dop853_third, at->slope, entry, 0.0)) * by;
+        const double x = at->x[entry] * by;
+        const double x_new = at->x_new[entry] * by;
+        to->fifth[lane] += e5 * e5;
+        to->third[lane] += e3 * e3;
+        to->before[lane] += x * x;
+        to->behind[lane] += x_new * x_new;
     }
 }
 
-LAG_ATTEMPT_INLINED void tolerances_inlined(
-    const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to)
+LAG_ATTEMPT_INLINED double error_inlined(const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent)
 {
-    double before[LAG_ATTEMPT_LANES] = {0.0};
-    double behind[LAG_ATTEMPT_LANES] = {0.0};
-    double length[LAG_ATTEMPT_LANES];
-    add_squares(at->size, at->lanes, of_state, at->x, before);
-    add_squares(at->size, at->lanes, of_state, at->x_new, behind);
-    for (size_t lane = 0; lane < at->lanes; ++lane) {
-        length[lane] = fmax(extent[lane], relative * sqrt(fmax(before[lane], behind[lane]) / (double)at->size));
+    const double size = (double)at->size;
+    squares found;
+    double most = 0.0;
+    size_t lane = 0;
+#if defined(__GNUC__)
+    for (; lane + LAG_WIDTH <= at->lanes; lane += LAG_WIDTH) {
+        square_wide(at, of_state, lane, &found);
     }
-    for (size_t i = 0; i < at->size; ++i) {
-        for (size_t lane = 0; lane < at->lanes; ++lane) {
-            to[i * at->lanes + lane] = length[lane] > 0.0 ? length[lane] * of_state[i] : 1.0;
-        }
+#endif
+    for (; lane < at->lanes; ++lane) {
+        square_one(at, of_state, lane, &found);
     }
+    for (size_t k = 0; k < at->lanes; ++k) {
+        const double both = found.fifth[k] + 0.01 * found.third[k];
+        const double part = at->h[k] * found.fifth[k];
+        const double larger = found.behind[k] > found.before[k] ? found.behind[k] : found.before[k];
+        const double own = relative * relative * larger / size;
+        const double length = own > extent[k] * extent[k] ? own : extent[k] * extent[k];
+        const double square = both > 0.0 ? part * part / (both * size * (length > 0.0 ? length : 1.0)) : 0.0;
+        most = square > most ? square : most;
+        most = isfinite(both) ? most : (double)INFINITY;
+    }
+    return sqrt(most);
+}
+
+LAG_COLUMNS_TARGET static double error(const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent)
+{
+    return error_inlined(at, of_state, relative, extent);
 }
 
 LAG_COLUMNS_TARGET static void interpolate(size_t count, const double *terms, double part, const double *base, double *to)
 {
     interpolate_inlined(count, terms, part, base, to);
-}
-
-LAG_COLUMNS_TARGET static void tolerances(
-    const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent, double *to)
-{
-    tolerances_inlined(at, of_state, relative, extent, to);
 }
 
 LAG_COLUMNS_TARGET static void multiply(
@@ -257,11 +284,6 @@ LAG_COLUMNS_TARGET static void rates(const lag_motion_product *motion, const lag
     const double *state, const double *inputs, double *to)
 {
     rates_inlined(motion, entries, block, lanes, state, inputs, to);
-}
-
-LAG_COLUMNS_TARGET static void stage(const lag_motion_product *motion, const lag_columns_stage *of)
-{
-    stage_inlined(motion, of);
 }
 
 LAG_COLUMNS_TARGET static int decompose(const lag_stage_equations *equations)

@@ -8,6 +8,6 @@
 
 #include "lag/sensitivities/column_sums_make.h"
 
-const lag_column_sums lag_column_sums_wide = {combine, errors, dense, interpolate, tolerances, multiply, rates, stage, decompose, collocate};
+const lag_column_sums lag_column_sums_wide = {combine, dense, interpolate, error, multiply, rates, decompose, collocate};
 
 #endif

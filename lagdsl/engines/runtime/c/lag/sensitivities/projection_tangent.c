@@ -93,12 +93,12 @@ static lag_status project(lag_sensitivities *s, lag_run *run, int rates, int *re
     along.dp = along.du + model->nu;
     lag_status status = prepare(&run->projection, rates, responds);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
-        lag_columns_get(s, k, variables, directions, variables, one);
-        lag_columns_get(s, k, model->nw, s->columns.w, model->nw, w);
+        lag_columns_get(s, k, 0, variables, directions, variables, one);
+        lag_columns_get(s, k, 0, model->nw, s->columns.w, model->nw, w);
         if (lag_any(variables + model->nw, one)) {
             status = find_residuals(s, run, rates, &along, w);
             status = status == LAG_OK ? correct(&run->projection, rates, *responds, to) : status;
-            lag_columns_put(s, k, n, to, directions + (rates ? n * s->columns.lanes : 0), variables);
+            lag_columns_put(s, k, rates ? n : 0, n, to, directions, variables);
         }
     }
     return status;

@@ -139,7 +139,7 @@ static size_t memory_for(const lag_model *model, size_t count)
     const size_t all = blocks_for(count) * width;
     const size_t variables = lag_columns_variables(model);
     const size_t columns = all * (3 * variables + model->nw + n + 2) + 3 * count * model->np + 2 * all + blocks_for(count) + 1;
-    const size_t work = 3 * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + 2 * n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
+    const size_t work = (3 + LAG_DOP853_SLOPES) * n + all * n * (LAG_DOP853_SLOPES + LAG_DOP853_TERMS) + width * (variables + n + model->ny) + variables + 2 * model->nw + model->nu + width * (n + model->ny) + (n + model->ny) * (n + model->nu + all) + lag_loads_along_memory(model);
     const size_t motion = derivatives_of_motion(model) + 2 * width * equations_of(model);
     const size_t implicit = memory_for_stages(model, count) + n * (n + 4);
     const size_t instant = 2 * n + model->nw + model->ncontact + count + model->ncontact * count + behind_values(model, count);
@@ -168,6 +168,7 @@ static size_t *take_numbers(double **memory, size_t count)
 static void place_entries(lag_parameter_entries *entries, const lag_columns *columns, size_t most, double **memory)
 {
     const size_t all = columns->blocks * columns->lanes;
+    entries->columns = columns->lanes;
     entries->lead = take_numbers(memory, all);
     entries->lead_part = lag_take(memory, all);
     entries->first = take_numbers(memory, columns->blocks + 1);
@@ -205,12 +206,12 @@ static void place_work(lag_columns_work *work, const lag_model *model, size_t co
     const size_t variables = lag_columns_variables(model);
     work->state = lag_take(memory, n);
     work->state_of_stage = lag_take(memory, n);
+    work->states = lag_take(memory, LAG_DOP853_SLOPES * n);
     work->known.x = lag_take(memory, n);
     work->slopes = lag_take(memory, all * n * LAG_DOP853_SLOPES);
     work->terms = lag_take(memory, all * n * LAG_DOP853_TERMS);
     work->point = lag_take(memory, columns->lanes * variables);
     work->rates = lag_take(memory, columns->lanes * n);
-    work->tolerance = lag_take(memory, columns->lanes * n);
     work->y = lag_take(memory, columns->lanes * model->ny);
     work->one = lag_take(memory, variables + model->nw);
     work->u = lag_take(memory, model->nu);
@@ -225,22 +226,18 @@ static void place_work(lag_columns_work *work, const lag_model *model, size_t co
     place_stages(&work->collocation, model, count, memory);
 }
 
-void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height)
+void lag_columns_put(const lag_sensitivities *s, size_t column, size_t row, size_t count, const double *from, double *blocks, size_t height)
 {
-    const size_t lanes = s->columns.lanes;
-    double *to = blocks + column / lanes * height * lanes + column % lanes;
-    for (size_t i = 0; i < count; ++i) {
-        to[i * lanes] = from[i];
-    }
+    const size_t block = column / s->columns.lanes;
+    const size_t lanes = lag_columns_lanes(s, block);
+    lag_lane_put(lanes, column % s->columns.lanes, count, from, blocks + block * height * s->columns.lanes + row * lanes);
 }
 
-void lag_columns_get(const lag_sensitivities *s, size_t column, size_t count, const double *blocks, size_t height, double *to)
+void lag_columns_get(const lag_sensitivities *s, size_t column, size_t row, size_t count, const double *blocks, size_t height, double *to)
 {
-    const size_t lanes = s->columns.lanes;
-    const double *from = blocks + column / lanes * height * lanes + column % lanes;
-    for (size_t i = 0; i < count; ++i) {
-        to[i] = from[i * lanes];
-    }
+    const size_t block = column / s->columns.lanes;
+    const size_t lanes = lag_columns_lanes(s, block);
+    lag_lane_get(lanes, column % s->columns.lanes, count, blocks + block * height * s->columns.lanes + row * lanes, to);
 }
 
 size_t lag_sensitivities_size(const lag_model *model, size_t count)
@@ -282,10 +279,14 @@ lag_sensitivities *lag_sensitivities_place(
     s->of = *of;
     s->results = *rows;
     s->along = (lag_sensitivity_functions){along[0], along[1], along[2], {0, 0, 0}};
-    s->sums = lag_column_sums_of(width_of(along));
     s->discretes = lag_places_of(model).contact;
     columns->lanes = lanes_for(count);
     columns->blocks = blocks_for(count);
+    columns->last = lanes_for(count - (columns->blocks - 1) * columns->lanes);
+    const size_t width = width_of(along);
+    s->sums = lag_column_sums_of(width);
+    s->of_blocks[0] = lag_column_sums_of(columns->lanes < width ? columns->lanes : width);
+    s->of_blocks[1] = lag_column_sums_of(columns->last < width ? columns->last : width);
     const size_t all = columns->blocks * columns->lanes;
     columns->x = lag_take(&memory, all * variables);
     columns->w = lag_take(&memory, all * model->nw);
@@ -314,7 +315,7 @@ lag_sensitivities *lag_sensitivities_place(
     for (size_t k = 0; k < count; ++k) { /* directions of inputs and parameters stay */
         memcpy(s->work.one, s->of.u + k * model->nu, model->nu * sizeof(double));
         memcpy(s->work.one + model->nu, s->of.p + k * model->np, model->np * sizeof(double));
-        lag_columns_put(s, k, model->nu + model->np, s->work.one, columns->x + n * columns->lanes, variables);
+        lag_columns_put(s, k, n, model->nu + model->np, s->work.one, columns->x, variables);
     }
     return s;
 }
@@ -350,7 +351,7 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
     s->work.known.t = (double)NAN;
     memset(s->along.prepared, 0, sizeof s->along.prepared);
     for (size_t k = 0; k < s->of.count; ++k) {
-        lag_columns_get(s, k, variables, s->columns.x, variables, one);
+        lag_columns_get(s, k, 0, variables, s->columns.x, variables, one);
         add_entries(&s->columns, k, model->np, one + first);
         s->columns.shifted = s->columns.shifted || lag_any(model->nu, one + inputs);
         if (lag_any(model->np, one + first)) {
@@ -361,7 +362,7 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
     s->work.motion.product.by_input.width = s->columns.shifted ? model->nu : 0;
     lag_fill(s->columns.moving * variables, 0.0, s->columns.p);
     for (size_t k = 0; k < s->columns.moving; ++k) {
-        lag_columns_get(s, (size_t)s->columns.of_parameters[k], variables, s->columns.x, variables, one);
+        lag_columns_get(s, (size_t)s->columns.of_parameters[k], 0, variables, s->columns.x, variables, one);
         for (size_t i = first; i < variables; ++i) {
             s->columns.p[i * s->columns.moving + k] = one[i];
         }

@@ -71,9 +71,12 @@ typedef struct lag_sensitivity_rows {
     double *times; /* (most_notes, count) of the instants of notes */
 } lag_sensitivity_rows;
 
-/* Columns in blocks of so many lanes: entry i of column k of a block is at i * lanes + k; unused ones are zero. */
+/*
+ * Columns in blocks of so many lanes: entry i of column k of a block is at i * lanes + k; unused ones are zero. The last block may have fewer lanes than the
+ * others; it begins where it would with as many.
+ */
 typedef struct lag_columns {
-    size_t lanes, blocks;
+    size_t lanes, blocks, last; /* lanes of all blocks but the last, and of this one */
     double *x;        /* (blocks, 2 nq + nz + nu + np, lanes) s at time t, and the directions of inputs and parameters */
     double *w;        /* (blocks, nw, lanes) of discretes */
     double *before;   /* (blocks, 2 nq + nz, lanes) s where the last step began */
@@ -133,10 +136,11 @@ typedef struct lag_known_slopes {
 /* Arrays of one step. */
 typedef struct lag_columns_work {
     double *state, *state_of_stage; /* (2 nq + nz) each */
+    double *states;   /* (16, 2 nq + nz) at the stages of DOP853 */
     double *slopes;   /* (blocks, 16, 2 nq + nz, lanes), of Radau the stages */
     double *terms;    /* (blocks, 7, 2 nq + nz, lanes) of the dense output */
     double *point;    /* (2 nq + nz + nu + np, lanes) directions at a stage */
-    double *rates, *tolerance, *y; /* (2 nq + nz, lanes) each; (ny, lanes) */
+    double *rates, *y; /* (2 nq + nz, lanes) (ny, lanes) */
     lag_loads_along loads;
     lag_motion_derivatives motion;
     lag_known_slopes known;
@@ -189,7 +193,8 @@ typedef struct lag_sensitivities {
     lag_sensitivity_functions along;
     lag_rosenbrock_system rosenbrock;
     lag_differences differences;
-    const lag_column_sums *sums;
+    const lag_column_sums *sums;         /* in the registers of the processor, */
+    const lag_column_sums *of_blocks[2]; /* and in those that the lanes of all blocks but the last fill, and those of this one */
     size_t discretes;        /* so many of them have places in a row */
     lag_columns_fault fault;
     double *scales;          /* (np) sizes of the parameters */
@@ -255,9 +260,31 @@ lag_status lag_columns_collocate(lag_sensitivities *s, const lag_stepper *steppe
 
 /* Entries of a direction: q, qd, z, u, p. */
 size_t lag_columns_variables(const lag_model *model);
-/* Entry after entry of one column into its block of such arrays, `height` rows high, or out of it. */
-void lag_columns_put(const lag_sensitivities *s, size_t column, size_t count, const double *from, double *blocks, size_t height);
-void lag_columns_get(const lag_sensitivities *s, size_t column, size_t count, const double *blocks, size_t height, double *to);
+/* Lanes of a block, and the sums for so many. */
+static inline size_t lag_columns_lanes(const lag_sensitivities *s, size_t block)
+{
+    return block + 1 < s->columns.blocks ? s->columns.lanes : s->columns.last;
+}
+static inline const lag_column_sums *lag_columns_sums(const lag_sensitivities *s, size_t block)
+{
+    return s->of_blocks[block + 1 == s->columns.blocks];
+}
+/* Entries (count) of one lane into the rows (count, lanes) of a block, or out of them. */
+static inline void lag_lane_put(size_t lanes, size_t lane, size_t count, const double *from, double *rows)
+{
+    for (size_t i = 0; i < count; ++i) {
+        rows[i * lanes + lane] = from[i];
+    }
+}
+static inline void lag_lane_get(size_t lanes, size_t lane, size_t count, const double *rows, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = rows[i * lanes + lane];
+    }
+}
+/* Entries from `row` on of one column into such blocks, which are `height` rows high, or out of them. */
+void lag_columns_put(const lag_sensitivities *s, size_t column, size_t row, size_t count, const double *from, double *blocks, size_t height);
+void lag_columns_get(const lag_sensitivities *s, size_t column, size_t row, size_t count, const double *blocks, size_t height, double *to);
 /* The parameters, and their directions, are these from now on. */
 void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model);
 /* Step of differences along the discretes w (nw); 0: they stay. */

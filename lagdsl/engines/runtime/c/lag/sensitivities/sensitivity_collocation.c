@@ -17,7 +17,7 @@ static lag_status solve_decomposed(lag_sensitivities *s, const lag_stepper *step
     e->h = stepper->t - stepper->t_before;
     const lag_status status = s->sums->decompose(e) ? LAG_OK : LAG_SINGULAR;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        s->sums->collocate(e, s->columns.lanes, s->work.slopes + block * LAG_DOP853_SLOPES * e->n * s->columns.lanes);
+        lag_columns_sums(s, block)->collocate(e, lag_columns_lanes(s, block), s->work.slopes + block * LAG_DOP853_SLOPES * e->n * s->columns.lanes);
     }
     return status;
 }
@@ -88,16 +88,12 @@ static lag_status solve_by_corrections(lag_sensitivities *s, const lag_stepper *
     const size_t rows = of_state->table->stages * stepper->ode->size;
     const lag_collocation_system *system = &s->work.collocation;
     for (size_t k = 0; k < s->of.count; ++k) {
-        double *own = s->work.slopes + k / lanes * LAG_DOP853_SLOPES * stepper->ode->size * lanes + k % lanes;
-        for (size_t i = 0; i < rows; ++i) {
-            system->slope[i] = own[i * lanes];
-        }
+        double *own = s->work.slopes + k / lanes * LAG_DOP853_SLOPES * stepper->ode->size * lanes;
+        lag_lane_get(lag_columns_lanes(s, k / lanes), k % lanes, rows, own, system->slope);
         if (!correct(stepper, of_state, system)) {
             return LAG_MISSING;
         }
-        for (size_t i = 0; i < rows; ++i) {
-            own[i * lanes] = system->z[i];
-        }
+        lag_lane_put(lag_columns_lanes(s, k / lanes), k % lanes, rows, system->z, own);
     }
     return LAG_OK;
 }

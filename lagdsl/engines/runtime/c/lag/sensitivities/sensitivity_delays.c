@@ -51,8 +51,11 @@ void lag_columns_set_delays(lag_sensitivities *s, lag_run *run, double t)
     const lag_delays *delays = &run->motion.delays;
     const lag_delay_pieces *pieces = &s->past.pieces;
     const lag_model *model = run->motion.model;
+    if (model->ndelay == 0 || pieces->count == 0) {
+        return;
+    }
     const lag_places places = lag_places_of(model);
-    for (size_t i = 0; i < model->ndelay && pieces->count > 0; ++i) {
+    for (size_t i = 0; i < model->ndelay; ++i) {
         const double at = t - delays->time[i];
         const size_t piece = lag_delays_piece(delays, pieces, i, at);
         const size_t of_run = lag_delays_piece(delays, &delays->pieces, i, at);
@@ -63,9 +66,9 @@ void lag_columns_set_delays(lag_sensitivities *s, lag_run *run, double t)
             const double later = s->past.delays[place_of(s, i, k)];
             double slope = 0.0;
             const double value = lag_delay_value(pieces, piece, place_of(s, i, k), at, &slope) - rate * later;
-            double *w = s->columns.w + k / s->columns.lanes * model->nw * s->columns.lanes + k % s->columns.lanes;
-            w[(places.delay + i) * s->columns.lanes] = value;
-            w[(places.delay_rate + i) * s->columns.lanes] = slope - bend * later;
+            const double change = slope - bend * later;
+            lag_columns_put(s, k, places.delay + i, 1, &value, s->columns.w, model->nw);
+            lag_columns_put(s, k, places.delay_rate + i, 1, &change, s->columns.w, model->nw);
         }
     }
 }
@@ -128,15 +131,15 @@ static lag_status sample_columns(lag_sensitivities *s, lag_run *run, double t, d
     lag_status status = LAG_OK;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         double *found = s->columns.inside + block * variables * lanes;
-        memcpy(found, s->columns.x + block * variables * lanes, variables * lanes * sizeof(double));
+        memcpy(found, s->columns.x + block * variables * lanes, variables * lag_columns_lanes(s, block) * sizeof(double));
         status = lag_columns_dense(s, run, block, inside, found);
         if (block == 0 && status == LAG_OK) {
             status = lag_stepper_dense(&run->stepper, inside, s->past.state);
             lag_columns_set_delays(s, run, t);
         }
         for (size_t k = block * lanes; k < (block + 1) * lanes && k < s->of.count && status == LAG_OK; ++k) {
-            lag_columns_get(s, k, variables, s->columns.inside, variables, s->work.one);
-            lag_columns_get(s, k, model->nw, s->columns.w, model->nw, s->work.one + variables);
+            lag_columns_get(s, k, 0, variables, s->columns.inside, variables, s->work.one);
+            lag_columns_get(s, k, 0, model->nw, s->columns.w, model->nw, s->work.one + variables);
             status = expressions_along(s, run, t, s->past.state);
             for (size_t i = 0; i < model->ndelay; ++i) {
                 values[place_of(s, i, k)] = s->past.derivative[i];
@@ -218,14 +221,13 @@ lag_status lag_columns_begin_past(lag_sensitivities *s, lag_run *run)
     lag_fill(model->ndelay, 1.0, s->instant.sizes);
     for (size_t k = 0; k < s->of.count && status == LAG_OK; ++k) {
         double *one = s->work.one;
-        lag_columns_get(s, k, lag_columns_variables(model), s->columns.x, lag_columns_variables(model), one);
+        lag_columns_get(s, k, 0, lag_columns_variables(model), s->columns.x, lag_columns_variables(model), one);
         const lag_displacement along = {0.0, NULL, NULL, NULL, one + n + model->nu, NULL};
         status = lag_differences_along(&s->differences, &along, model->ndelay, s->instant.sizes, delay_times, run, s->past.derivative, &error);
         for (size_t i = 0; i < model->ndelay; ++i) {
             s->past.delays[place_of(s, i, k)] = s->past.derivative[i];
             for (size_t j = 0; j < LAG_DELAY_SAMPLES; ++j) {
-                const double *w = s->columns.w + k / s->columns.lanes * model->nw * s->columns.lanes + k % s->columns.lanes;
-                pieces->sample[j * pieces->n + place_of(s, i, k)] = w[(places.delay + i) * s->columns.lanes];
+                lag_columns_get(s, k, places.delay + i, 1, s->columns.w, model->nw, &pieces->sample[j * pieces->n + place_of(s, i, k)]);
                 pieces->sample[j * pieces->n + place_of(s, model->ndelay, k)] = 0.0;
             }
         }
@@ -304,9 +306,9 @@ lag_status lag_columns_pass_jumps(lag_sensitivities *s, lag_run *run, const lag_
             s->fault.guard = k;
             return LAG_NOT_SMOOTH;
         }
-        lag_columns_get(s, k, n, s->columns.x, variables, s->work.one);
+        lag_columns_get(s, k, 0, n, s->columns.x, variables, s->work.one);
         lag_axpy(n, s->instant.time[k], f, s->work.one);
-        lag_columns_put(s, k, n, s->work.one, s->columns.x, variables);
+        lag_columns_put(s, k, 0, n, s->work.one, s->columns.x, variables);
     }
     return status;
 }

@@ -19,28 +19,34 @@
 enum { STAGES = 4, BENT = STAGES, BEHIND, END };
 
 /* So many doubles of a block there. */
-static size_t count_of(const lag_sensitivities *s, const lag_run *run)
+static size_t count_of(const lag_sensitivities *s, const lag_run *run, size_t block)
 {
-    return run->stepper.ode->size * s->columns.lanes;
+    return run->stepper.ode->size * lag_columns_lanes(s, block);
+}
+
+/* The columns of a block where the step begins. */
+static const double *beginning(const lag_sensitivities *s, const lag_run *run, size_t block)
+{
+    return s->columns.before + block * run->stepper.ode->size * s->columns.lanes;
 }
 
 static double *slot(const lag_sensitivities *s, const lag_run *run, size_t block, size_t i)
 {
-    return s->work.slopes + (block * LAG_DOP853_SLOPES + i) * count_of(s, run);
+    return s->work.slopes + block * LAG_DOP853_SLOPES * run->stepper.ode->size * s->columns.lanes + i * count_of(s, run, block);
 }
 
 /* Into the rows of q adds factor times the rows of qd of `from`. */
-static void add_drift(const lag_sensitivities *s, const lag_run *run, double factor, const double *from, double *to)
+static void add_drift(const lag_sensitivities *s, const lag_run *run, size_t block, double factor, const double *from, double *to)
 {
-    const size_t rows = run->stepper.ode->nq * s->columns.lanes;
+    const size_t rows = run->stepper.ode->nq * lag_columns_lanes(s, block);
     lag_axpy(rows, factor, from + rows, to);
 }
 
 /* The columns of a block where the step begins, and `part` (STAGES) of its slopes, into `to`. */
 static void combine(const lag_sensitivities *s, const lag_run *run, size_t block, const double *part, double *to)
 {
-    const size_t count = count_of(s, run);
-    memcpy(to, s->columns.before + block * count, count * sizeof(double));
+    const size_t count = count_of(s, run, block);
+    memcpy(to, beginning(s, run, block), count * sizeof(double));
     for (size_t i = 0; i < STAGES; ++i) {
         if (part[i] != 0.0) {
             lag_axpy(count, part[i], slot(s, run, block, i), to);
@@ -51,9 +57,10 @@ static void combine(const lag_sensitivities *s, const lag_run *run, size_t block
 /* Rates at the state x along the columns of a block in work.point. */
 static lag_status rates_along(lag_sensitivities *s, lag_run *run, size_t block, double t, const double *x, double *to)
 {
-    const size_t count = count_of(s, run);
-    const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
-    memcpy(s->work.point + count, s->columns.x + block * height + count, (height - count) * sizeof(double));
+    const size_t count = count_of(s, run, block);
+    const size_t variables = lag_columns_variables(run->motion.model);
+    const double *now = s->columns.x + block * variables * s->columns.lanes;
+    memcpy(s->work.point + count, now + count, (variables * lag_columns_lanes(s, block) - count) * sizeof(double));
     return lag_columns_rates(s, run, block, t, x, s->work.point, to, NULL);
 }
 
@@ -64,7 +71,7 @@ static lag_status stage(lag_sensitivities *s, lag_run *run, double t, const doub
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         combine(s, run, block, part, s->work.point);
         if (drift != 0.0) {
-            add_drift(s, run, drift, slot(s, run, block, 0), s->work.point);
+            add_drift(s, run, block, drift, slot(s, run, block, 0), s->work.point);
         }
         status = rates_along(s, run, block, t, x, slot(s, run, block, number));
     }
@@ -115,8 +122,8 @@ static lag_status leapfrog_step(lag_sensitivities *s, lag_run *run, double h)
         double *end = slot(s, run, block, END);
         combine(s, run, block, part, end);
         combine(s, run, block, drift, s->work.point);
-        add_drift(s, run, 0.5 * h * h, first, s->work.point);
-        memcpy(end, s->work.point, nq * s->columns.lanes * sizeof(double));
+        add_drift(s, run, block, 0.5 * h * h, first, s->work.point);
+        memcpy(end, s->work.point, nq * lag_columns_lanes(s, block) * sizeof(double));
     }
     return status;
 }
@@ -142,7 +149,6 @@ static lag_status bend(lag_sensitivities *s, lag_run *run, const double *k)
 {
     const lag_stepper *stepper = &run->stepper;
     const size_t n = stepper->ode->size;
-    const size_t count = count_of(s, run);
     const lag_displacement along = {0.0, k, NULL, NULL, NULL, NULL};
     s->differences.run = run;
     const double extent = lag_differences_extent(&s->differences, &along);
@@ -150,7 +156,7 @@ static lag_status bend(lag_sensitivities *s, lag_run *run, const double *k)
     double *x = s->work.state_of_stage;
     lag_status status = LAG_OK;
     for (size_t block = 0; block < s->columns.blocks; ++block) {
-        lag_fill(count, 0.0, slot(s, run, block, BENT));
+        lag_fill(count_of(s, run, block), 0.0, slot(s, run, block, BENT));
     }
     for (int place = -LAG_POINTS; place <= LAG_POINTS && by > 0.0 && status == LAG_OK; place += place == -1 ? 2 : 1) {
         const double weight = (place > 0 ? lag_sixth[place - 1] : -lag_sixth[-place - 1]) / by;
@@ -158,7 +164,8 @@ static lag_status bend(lag_sensitivities *s, lag_run *run, const double *k)
         lag_axpy(n, place * by, k, x);
         status = lag_columns_look(s, run, stepper->t_before, x, 0);
         for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-            memcpy(s->work.point, s->columns.before + block * count, count * sizeof(double));
+            const size_t count = count_of(s, run, block);
+            memcpy(s->work.point, beginning(s, run, block), count * sizeof(double));
             status = rates_along(s, run, block, stepper->t_before, x, s->work.rates);
             lag_axpy(count, weight, s->work.rates, slot(s, run, block, BENT));
         }
@@ -171,15 +178,15 @@ static void solve(lag_sensitivities *s, lag_run *run, const lag_rosenbrock_syste
 {
     const double h = run->stepper.t - run->stepper.t_before;
     const size_t n = run->stepper.ode->size;
-    const size_t lanes = s->columns.lanes;
     for (size_t block = 0; block < s->columns.blocks; ++block) {
+        const size_t lanes = lag_columns_lanes(s, block);
         double *slope = slot(s, run, block, number);
         lag_axpy(n * lanes, lag_ros2_gamma() * h, slot(s, run, block, BENT), slope);
         lag_axpy(n * lanes, -less, slot(s, run, block, 0), slope);
         for (size_t lane = 0; lane < lanes; ++lane) {
-            lag_columns_get(s, lane, n, slope, 0, at->right);
+            lag_lane_get(lanes, lane, n, slope, at->right);
             lag_lu_solve(n, at->matrix, at->pivots, at->right);
-            lag_columns_put(s, lane, n, at->right, slope, 0);
+            lag_lane_put(lanes, lane, n, at->right, slope);
         }
     }
 }
@@ -228,12 +235,11 @@ lag_status lag_columns_fixed_step(lag_sensitivities *s, lag_run *run)
 {
     const lag_stepper *stepper = &run->stepper;
     const double h = stepper->t - stepper->t_before;
-    const size_t count = count_of(s, run);
     const size_t height = lag_columns_variables(run->motion.model) * s->columns.lanes;
     const lag_status status = stepper->method == &lag_steps_leapfrog ? leapfrog_step(s, run, h) :
         stepper->method == &lag_steps_ros2 ? ros2_step(s, run, h) : rk4_step(s, run, h);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        memcpy(s->columns.x + block * height, slot(s, run, block, END), count * sizeof(double));
+        memcpy(s->columns.x + block * height, slot(s, run, block, END), count_of(s, run, block) * sizeof(double));
     }
     return status;
 }
@@ -241,13 +247,12 @@ lag_status lag_columns_fixed_step(lag_sensitivities *s, lag_run *run)
 lag_status lag_columns_prepare_fixed(lag_sensitivities *s, lag_run *run)
 {
     const lag_stepper *stepper = &run->stepper;
-    const size_t count = count_of(s, run);
     const double begin[STAGES] = {0.0};
     lag_status status = stage(s, run, stepper->t_before, stepper->x_before, 0, begin, 0.0);
     status = status == LAG_OK ? lag_stepper_dense(&run->stepper, stepper->t, s->work.state) : status;
     status = status == LAG_OK ? lag_columns_look(s, run, stepper->t, s->work.state, 0) : status;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
-        memcpy(s->work.point, slot(s, run, block, END), count * sizeof(double));
+        memcpy(s->work.point, slot(s, run, block, END), count_of(s, run, block) * sizeof(double));
         status = rates_along(s, run, block, stepper->t, s->work.state, slot(s, run, block, BEHIND));
     }
     return status;
@@ -255,8 +260,8 @@ lag_status lag_columns_prepare_fixed(lag_sensitivities *s, lag_run *run)
 
 void lag_columns_fixed_dense(const lag_sensitivities *s, const lag_run *run, size_t block, double h, double part, double *to)
 {
-    const size_t count = count_of(s, run);
-    const double *before = s->columns.before + block * count;
+    const size_t count = count_of(s, run, block);
+    const double *before = beginning(s, run, block);
     const double *end = slot(s, run, block, END);
     const double *slope = slot(s, run, block, 0);
     const double *behind = slot(s, run, block, BEHIND);

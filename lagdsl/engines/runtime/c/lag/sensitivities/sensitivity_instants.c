@@ -82,8 +82,8 @@ static lag_displacement along_column(lag_sensitivities *s, const lag_model *mode
     const size_t n = lag_motion_size(model);
     double *one = s->work.one;
     const size_t variables = lag_columns_variables(model);
-    lag_columns_get(s, k, variables, s->columns.x, variables, one);
-    lag_columns_get(s, k, model->nw, s->columns.w, model->nw, one + variables);
+    lag_columns_get(s, k, 0, variables, s->columns.x, variables, one);
+    lag_columns_get(s, k, 0, model->nw, s->columns.w, model->nw, one + variables);
     return (lag_displacement){0.0, one, one + variables, one + n, one + n + model->nu, s->instant.until + k * model->ncontact};
 }
 
@@ -285,8 +285,8 @@ void lag_sensitivities_after(lag_companion *companion)
     const size_t count = n + model->nw + model->ncontact;
     for (size_t k = 0; k < s->of.count && s->instant.pending; ++k) {
         const double *behind = s->instant.behind + k * count;
-        lag_columns_put(s, k, n, behind, s->columns.x, lag_columns_variables(model));
-        lag_columns_put(s, k, model->nw, behind + n, s->columns.w, model->nw);
+        lag_columns_put(s, k, 0, n, behind, s->columns.x, lag_columns_variables(model));
+        lag_columns_put(s, k, 0, model->nw, behind + n, s->columns.w, model->nw);
         memcpy(s->instant.until + k * model->ncontact, behind + n + model->nw, model->ncontact * sizeof(double));
     }
     s->instant.pending = 0;

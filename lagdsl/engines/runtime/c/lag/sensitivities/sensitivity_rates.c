@@ -25,7 +25,7 @@ double lag_columns_step(lag_sensitivities *s, lag_run *run, const double *w)
 }
 
 /* Adds the sixth-order differences along the discretes of a column, which stand behind its direction in work.one, to the rates and outputs in `lane`. */
-static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lane, double t, const double *x, double *rates, double *y)
+static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lanes, size_t lane, double t, const double *x, double *rates, double *y)
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
@@ -46,7 +46,7 @@ static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lane,
         memcpy(motion->w, s->work.w, model->nw * sizeof(double));
     }
     for (size_t i = 0; i < height; ++i) {
-        double *to = i < n ? rates + i * s->columns.lanes : y + (i - n) * s->columns.lanes;
+        double *to = i < n ? rates + i * lanes : y + (i - n) * lanes;
         to[lane] += sum[i];
     }
     return status;
@@ -155,16 +155,17 @@ static int takes_jacobian(const lag_sensitivities *s, const lag_model *model)
 }
 
 /* Rates along q, qd, z and u. */
-static lag_status along_states(lag_sensitivities *s, lag_motion *motion, const double *directions, double *rates, double *y)
+static lag_status along_states(lag_sensitivities *s, lag_motion *motion, size_t block, const double *directions, double *rates, double *y)
 {
     const lag_model *model = motion->model;
     const size_t n = lag_motion_size(model);
-    const size_t lanes = s->columns.lanes;
+    const size_t lanes = lag_columns_lanes(s, block);
+    const lag_column_sums *sums = lag_columns_sums(s, block);
     if (takes_jacobian(s, model)) {
         const lag_rows_of_columns by_state = {n, n + model->nu, n + model->nu, s->work.by_state};
         const lag_rows_of_columns outputs = {y != NULL ? model->ny : 0, n + model->nu, n + model->nu, s->work.outputs_by_state};
-        s->sums->multiply(&by_state, lanes, directions, NULL, rates);
-        s->sums->multiply(&outputs, lanes, directions, NULL, y);
+        sums->multiply(&by_state, lanes, directions, NULL, rates);
+        sums->multiply(&outputs, lanes, directions, NULL, y);
         return LAG_OK;
     }
     const lag_along *along = &s->along.states;
@@ -188,12 +189,12 @@ static lag_status look_at_parameters(lag_sensitivities *s, lag_motion *motion, i
 static void add_parameters(const lag_sensitivities *s, const lag_model *model, size_t block, double *rates, double *y)
 {
     const size_t n = lag_motion_size(model);
-    const size_t lanes = s->columns.lanes;
+    const size_t lanes = lag_columns_lanes(s, block);
     const size_t moving = s->columns.moving;
     for (size_t k = 0; k < moving; ++k) {
         const size_t column = (size_t)s->columns.of_parameters[k];
-        const size_t lane = column % lanes;
-        if (column / lanes != block) {
+        const size_t lane = column % s->columns.lanes;
+        if (column / s->columns.lanes != block) {
             continue;
         }
         for (size_t i = 0; i < n; ++i) {
@@ -233,17 +234,17 @@ lag_status lag_columns_look(lag_sensitivities *s, lag_run *run, double t, const 
 }
 
 /* Rates in models with loads. */
-static lag_status with_loads(lag_sensitivities *s, const lag_motion *motion, const double *directions, double *rates, double *y)
+static lag_status with_loads(lag_sensitivities *s, const lag_motion *motion, size_t lanes, const double *directions, double *rates, double *y)
 {
     const lag_model *model = motion->model;
     const size_t n = lag_motion_size(model);
     double *found = s->work.one_rates;
     lag_status status = LAG_OK;
-    for (size_t lane = 0; lane < s->columns.lanes && status == LAG_OK; ++lane) {
-        lag_columns_get(s, lane, lag_columns_variables(model), directions, 0, s->work.one);
+    for (size_t lane = 0; lane < lanes && status == LAG_OK; ++lane) {
+        lag_lane_get(lanes, lane, lag_columns_variables(model), directions, s->work.one);
         status = lag_loads_along_rates(&s->work.loads, motion, s->work.one, found, y != NULL ? found + n : NULL);
-        lag_columns_put(s, lane, n, found, rates, 0);
-        lag_columns_put(s, lane, y != NULL ? model->ny : 0, found + n, y, 0);
+        lag_lane_put(lanes, lane, n, found, rates);
+        lag_lane_put(lanes, lane, y != NULL ? model->ny : 0, found + n, y);
     }
     return status;
 }
@@ -253,24 +254,24 @@ lag_status lag_columns_rates(lag_sensitivities *s, lag_run *run, size_t block, d
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
-    const size_t lanes = s->columns.lanes;
+    const size_t lanes = lag_columns_lanes(s, block);
     double *w = s->work.one + lag_columns_variables(model);
     lag_status status = LAG_OK;
     if (model->nload > 0) {
-        status = with_loads(s, motion, directions, rates, y);
+        status = with_loads(s, motion, lanes, directions, rates, y);
     } else if (s->work.motion.known) {
         const double *inputs = directions + lag_motion_size(model) * lanes;
-        s->sums->rates(&s->work.motion.product, &s->columns.entries, block, lanes, directions, inputs, rates);
+        lag_columns_sums(s, block)->rates(&s->work.motion.product, &s->columns.entries, block, lanes, directions, inputs, rates);
     } else if (s->along.states.tangents != NULL) {
-        status = along_states(s, motion, directions, rates, y);
+        status = along_states(s, motion, block, directions, rates, y);
         add_parameters(s, model, block, rates, y);
     } else {
         status = lag_jacobian_along(model, NULL, &motion->at, lanes, directions, motion->memory, rates, y, &motion->coordinate);
     }
     for (size_t lane = 0; lane < lanes && status == LAG_OK && model->nw > 0; ++lane) {
-        lag_columns_get(s, block * lanes + lane, model->nw, s->columns.w, model->nw, w);
+        lag_columns_get(s, block * s->columns.lanes + lane, 0, model->nw, s->columns.w, model->nw, w);
         if (lag_any(model->nw, w)) {
-            status = add_discretes(s, run, lane, t, x, rates, y);
+            status = add_discretes(s, run, lanes, lane, t, x, rates, y);
             lag_motion_set_state(motion, t, x);
         }
     }

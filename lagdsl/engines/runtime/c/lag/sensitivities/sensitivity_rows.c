@@ -47,9 +47,9 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
         }
         for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
             double *to = derivatives + (block * lanes + lane) * width;
-            lag_columns_get(s, lane, n, point, n, to);
-            lag_columns_get(s, block * lanes + lane, s->discretes, s->columns.w, model->nw, to + n);
-            lag_columns_get(s, lane, model->ny, s->work.y, model->ny, to + n + s->discretes);
+            lag_lane_get(lag_columns_lanes(s, block), lane, n, point, to);
+            lag_columns_get(s, block * lanes + lane, 0, s->discretes, s->columns.w, model->nw, to + n);
+            lag_lane_get(lag_columns_lanes(s, block), lane, model->ny, s->work.y, to + n + s->discretes);
         }
     }
     return status;

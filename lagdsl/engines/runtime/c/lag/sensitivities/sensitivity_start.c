@@ -69,8 +69,8 @@ lag_status lag_sensitivities_start(lag_sensitivities *s, lag_run *run, double t,
             s->fault.t = t;
             s->fault.guard = k;
         }
-        lag_columns_put(s, k, n, found, s->columns.x, variables);
-        lag_columns_put(s, k, model->np, found + n, s->columns.x + (n + model->nu) * s->columns.lanes, variables);
+        lag_columns_put(s, k, 0, n, found, s->columns.x, variables);
+        lag_columns_put(s, k, n + model->nu, model->np, found + n, s->columns.x, variables);
     }
     lag_differences_end(&s->differences);
     lag_columns_follow_parameters(s, model);

@@ -13,9 +13,8 @@ lag_status lag_sensitivities_row(lag_run *run, double *row)
 
 void lag_sensitivities_inputs(lag_sensitivities *s, const lag_model *model, const double *u)
 {
-    double *first = s->columns.x + lag_motion_size(model) * s->columns.lanes;
     for (size_t k = 0; k < s->of.count; ++k) {
-        lag_columns_put(s, k, model->nu, u + k * model->nu, first, lag_columns_variables(model));
+        lag_columns_put(s, k, lag_motion_size(model), model->nu, u + k * model->nu, s->columns.x, lag_columns_variables(model));
     }
     s->columns.shifted = 1;
     s->work.motion.product.by_input.width = model->nu;

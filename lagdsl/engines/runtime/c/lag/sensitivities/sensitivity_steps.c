@@ -18,10 +18,11 @@ static size_t size_of(const lag_run *run)
 /* Arrays of a block, for the sums of DOP853; `at` has those of another one. */
 static void move_to(const lag_sensitivities *s, const lag_run *run, size_t block, lag_attempt_arrays *at)
 {
-    const size_t count = at->size * at->lanes;
-    at->x = s->columns.before + block * count;
-    at->slope = s->work.slopes + block * LAG_DOP853_SLOPES * count;
-    at->x_new = s->columns.x + block * lag_columns_variables(run->motion.model) * at->lanes;
+    const size_t columns = block * s->columns.lanes; /* before those of the block */
+    at->lanes = lag_columns_lanes(s, block);
+    at->x = s->columns.before + columns * at->size;
+    at->slope = s->work.slopes + columns * LAG_DOP853_SLOPES * at->size;
+    at->x_new = s->columns.x + columns * lag_columns_variables(run->motion.model);
 }
 
 /* The same of any. */
@@ -30,8 +31,7 @@ static lag_attempt_arrays arrays_of(const lag_sensitivities *s, const lag_run *r
     const lag_stepper *stepper = &run->stepper;
     lag_attempt_arrays at;
     at.size = size_of(run);
-    at.lanes = s->columns.lanes;
-    at.tolerance = s->work.tolerance;
+    at.tolerance = NULL; /* errors of columns are measured by those of the state */
     at.stage = s->work.point;
     lag_fill(LAG_ATTEMPT_LANES, stepper->t - stepper->t_before, at.h);
     lag_fill(LAG_ATTEMPT_LANES, stepper->t_before, at.t);
@@ -40,13 +40,20 @@ static lag_attempt_arrays arrays_of(const lag_sensitivities *s, const lag_run *r
 }
 
 /* Directions of inputs and parameters of the block, behind the columns in work.point. */
-static void set_point(const lag_sensitivities *s, const lag_run *run, size_t block)
+static void set_point(const lag_sensitivities *s, const lag_run *run, const lag_attempt_arrays *at)
 {
     const lag_model *model = run->motion.model;
-    const size_t count = size_of(run) * s->columns.lanes;
-    const size_t height = lag_columns_variables(model) * s->columns.lanes;
-    const size_t read = (s->work.motion.known ? (s->columns.shifted ? model->nu : 0) : model->nu + model->np) * s->columns.lanes;
-    memcpy(s->work.point + count, s->columns.x + block * height + count, read * sizeof(double));
+    const size_t count = at->size * at->lanes;
+    const size_t read = (s->work.motion.known ? (s->columns.shifted ? model->nu : 0) : model->nu + model->np) * at->lanes;
+    memcpy(s->work.point + count, at->x_new + count, read * sizeof(double));
+}
+
+/* States at the stages from `first` to before `end`: columns need them one by one, and would have to wait for each. */
+static void find_states(const lag_sensitivities *s, const lag_attempt_arrays *of_state, size_t first, size_t end)
+{
+    for (size_t i = first; i < end; ++i) {
+        lag_combine(of_state->size, &lag_dop853_stages[i], of_state->h, of_state->slope, of_state->x, s->work.states + i * of_state->size);
+    }
 }
 
 /* Rates of all blocks at stage i, 0 being the beginning and LAG_DOP853_END the end; `at` are the arrays of a block. */
@@ -54,30 +61,27 @@ static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_a
 {
     const lag_combination *stage = &lag_dop853_stages[i];
     const double t = of_state->t[0] + (i > 0 ? stage->node * of_state->h[0] : 0.0);
-    const size_t count = at->size * at->lanes;
-    memcpy(s->work.state_of_stage, of_state->x, of_state->size * sizeof(double));
-    if (i > 0) {
-        lag_combine(of_state->size, stage, of_state->h, of_state->slope, of_state->x, s->work.state_of_stage);
-    }
-    lag_status status = lag_columns_look(s, run, t, s->work.state_of_stage, 0);
-    if (status == LAG_OK && s->work.motion.known && !lag_any(s->columns.blocks * run->motion.model->nw * at->lanes, s->columns.w)) {
-        const lag_columns_stage all = {s->columns.blocks, at->lanes, i, at->h, s->columns.before, s->work.slopes, s->columns.x,
-            lag_columns_variables(run->motion.model), at->stage, &s->columns.entries};
-        s->sums->stage(&s->work.motion.product, &all);
-        return LAG_OK;
-    }
+    const double *state = i > 0 ? s->work.states + i * of_state->size : of_state->x;
+    lag_status status = lag_columns_look(s, run, t, state, 0);
+    const int plain = s->work.motion.known && !lag_any(s->columns.blocks * run->motion.model->nw * s->columns.lanes, s->columns.w);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         move_to(s, run, block, at);
-        if (i == 0) {
-            memcpy(at->stage, at->x, count * sizeof(double));
-        } else {
-            s->sums->combine(count, stage, at->h, at->slope, at->x, at->stage);
+        const size_t count = at->size * at->lanes;
+        double *found = i == LAG_DOP853_END ? at->x_new : at->stage;
+        const double *x = i > 0 ? found : at->x;
+        if (i > 0) {
+            s->sums->combine(count, stage, at->h, at->slope, at->x, found);
         }
-        if (i == LAG_DOP853_END) {
-            memcpy(at->x_new, at->stage, count * sizeof(double));
+        if (plain) {
+            lag_columns_sums(s, block)->rates(
+                &s->work.motion.product, &s->columns.entries, block, at->lanes, x, at->x_new + count, at->slope + i * count);
+            continue;
         }
-        set_point(s, run, block);
-        status = lag_columns_rates(s, run, block, t, s->work.state_of_stage, s->work.point, at->slope + i * count, NULL);
+        if (x != s->work.point) {
+            memcpy(s->work.point, x, count * sizeof(double));
+        }
+        set_point(s, run, at);
+        status = lag_columns_rates(s, run, block, t, state, s->work.point, at->slope + i * count, NULL);
     }
     return status;
 }
@@ -93,13 +97,13 @@ static void remember_slopes(lag_sensitivities *s, const lag_model *model, size_t
 /* Rates at the beginning: those at the end of the step before, or of one that began there, where nothing has happened since. */
 static lag_status first_stage(lag_sensitivities *s, lag_run *run, const lag_attempt_arrays *of_state, lag_attempt_arrays *at)
 {
-    const size_t count = at->size * at->lanes;
     lag_status status = LAG_OK;
     if (s->work.known.t != of_state->t[0] || !lag_same(of_state->size, s->work.known.x, of_state->x)) {
         status = explicit_stage(s, run, of_state, 0, at);
     } else if (s->work.known.stage != 0) {
         for (size_t block = 0; block < s->columns.blocks; ++block) {
             move_to(s, run, block, at);
+            const size_t count = at->size * at->lanes;
             memcpy(at->slope, at->slope + s->work.known.stage * count, count * sizeof(double));
         }
     }
@@ -113,18 +117,13 @@ static lag_status first_stage(lag_sensitivities *s, lag_run *run, const lag_atte
  */
 static double largest_error(lag_sensitivities *s, lag_run *run, lag_attempt_arrays *at)
 {
-    const double allowed = run->stepper.method->order + 1;
     double most = 0.0;
     for (size_t block = 0; block < s->columns.blocks; ++block) {
-        double error[LAG_ATTEMPT_LANES];
+        const double *extent = s->columns.extent + block * s->columns.lanes;
         move_to(s, run, block, at);
-        s->sums->tolerances(at, run->stepper.tolerance, run->accuracy.relative, s->columns.extent + block * at->lanes, s->work.tolerance);
-        s->sums->errors(at, error);
-        for (size_t lane = 0; lane < at->lanes; ++lane) {
-            most = fmax(most, error[lane] / allowed);
-        }
+        most = fmax(most, lag_columns_sums(s, block)->error(at, run->stepper.tolerance, run->accuracy.relative, extent));
     }
-    return most;
+    return most / (run->stepper.method->order + 1);
 }
 
 /* One step with DOP853, and its error. */
@@ -132,6 +131,7 @@ static lag_status explicit_step(lag_sensitivities *s, lag_run *run, double *erro
 {
     const lag_attempt_arrays of_state = lag_dop853_last(&run->stepper);
     lag_attempt_arrays at = arrays_of(s, run, 0);
+    find_states(s, &of_state, 1, LAG_DOP853_END + 1);
     lag_status status = first_stage(s, run, &of_state, &at);
     for (size_t i = 1; i <= LAG_DOP853_END && status == LAG_OK; ++i) {
         status = explicit_stage(s, run, &of_state, i, &at);
@@ -155,7 +155,7 @@ static lag_status implicit_stage(lag_sensitivities *s, lag_run *run, const lag_r
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         const lag_attempt_arrays at = arrays_of(s, run, block);
         memcpy(s->work.point, at.x, n * at.lanes * sizeof(double));
-        set_point(s, run, block);
+        set_point(s, run, &at);
         status = lag_columns_rates(s, run, block, t, s->work.state_of_stage, s->work.point, at.slope + i * n * at.lanes, NULL);
     }
     return status;
@@ -225,14 +225,13 @@ static int is_fixed(const lag_run *run)
 static int return_to_beginning(lag_sensitivities *s, const lag_run *run)
 {
     lag_columns *columns = &s->columns;
-    const size_t count = size_of(run) * columns->lanes;
-    const size_t height = lag_columns_variables(run->motion.model) * columns->lanes;
+    const size_t variables = lag_columns_variables(run->motion.model);
     const double t = run->stepper.t_before;
     const int again = fabs(t - columns->t_before) < fabs(t - columns->t); /* over a corner time goes on by some roundings */
     for (size_t block = 0; block < columns->blocks; ++block) {
-        double *now = columns->x + block * height;
-        double *before = columns->before + block * count;
-        memcpy(again ? now : before, again ? before : now, count * sizeof(double));
+        double *now = columns->x + block * variables * columns->lanes;
+        double *before = columns->before + block * size_of(run) * columns->lanes;
+        memcpy(again ? now : before, again ? before : now, size_of(run) * lag_columns_lanes(s, block) * sizeof(double));
     }
     columns->t_before = t;
     columns->t_dense = (double)NAN;
@@ -277,6 +276,12 @@ lag_status lag_sensitivities_step(lag_run *run)
     return lag_columns_project(s, run, stepper->t, stepper->x, s->columns.x);
 }
 
+/* Terms of the dense output of a block. */
+static double *terms_of(const lag_sensitivities *s, const lag_run *run, size_t block)
+{
+    return s->work.terms + block * LAG_DOP853_TERMS * size_of(run) * s->columns.lanes;
+}
+
 /* The stages of the dense output, whose terms are found for all blocks. */
 static lag_status prepare_dense(lag_sensitivities *s, lag_run *run)
 {
@@ -284,15 +289,15 @@ static lag_status prepare_dense(lag_sensitivities *s, lag_run *run)
     lag_status status = lag_stepper_dense(&run->stepper, stepper->t, s->work.state); /* its own further stages */
     const lag_attempt_arrays of_state = lag_dop853_last(stepper);
     lag_attempt_arrays at = arrays_of(s, run, 0);
+    find_states(s, &of_state, LAG_DOP853_END + 1, LAG_DOP853_SLOPES);
     for (size_t i = LAG_DOP853_END + 1; i < LAG_DOP853_SLOPES && status == LAG_OK; ++i) {
         status = explicit_stage(s, run, &of_state, i, &at);
     }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         move_to(s, run, block, &at);
-        const size_t count = at.size * at.lanes;
-        s->sums->combine(count, &lag_dop853_stages[LAG_DOP853_END], at.h, at.slope, at.x, s->work.point);
+        s->sums->combine(at.size * at.lanes, &lag_dop853_stages[LAG_DOP853_END], at.h, at.slope, at.x, s->work.point);
         at.x_new = s->work.point; /* without the projection behind the step */
-        s->sums->dense(&at, s->work.terms + block * LAG_DOP853_TERMS * count);
+        s->sums->dense(&at, terms_of(s, run, block));
     }
     return status;
 }
@@ -300,7 +305,6 @@ static lag_status prepare_dense(lag_sensitivities *s, lag_run *run)
 lag_status lag_columns_dense(lag_sensitivities *s, lag_run *run, size_t block, double t, double *to)
 {
     const lag_stepper *stepper = &run->stepper;
-    const size_t count = size_of(run) * s->columns.lanes;
     const double h = s->columns.t - s->columns.t_before;
     const double part = h > 0.0 ? (t - s->columns.t_before) / h : 1.0;
     lag_status status = LAG_OK;
@@ -317,7 +321,8 @@ lag_status lag_columns_dense(lag_sensitivities *s, lag_run *run, size_t block, d
         return status;
     }
     if (status == LAG_OK) {
-        s->sums->interpolate(count, s->work.terms + block * LAG_DOP853_TERMS * count, part, s->columns.before + block * count, to);
+        const double *before = s->columns.before + block * size_of(run) * s->columns.lanes;
+        s->sums->interpolate(size_of(run) * lag_columns_lanes(s, block), terms_of(s, run, block), part, before, to);
     }
     return status;
 }
