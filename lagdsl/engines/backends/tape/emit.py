@@ -5,21 +5,20 @@ from __future__ import annotations
 import zlib
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
-from hashlib import blake2b
 from typing import Final
 
 import numpy as np
 
-from lagdsl.derivation.program import functions as known
 from lagdsl.derivation.program.lengths import counted, sizes
 from lagdsl.derivation.program.passes.along import Along, along, elements, shared
 from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
 from lagdsl.derivation.program.passes.pattern import patterns, rates_pattern
 from lagdsl.derivation.program.program import Layout, Program, Slot
 from lagdsl.engines.backends.start import Start
-from lagdsl.engines.backends.tape.function import Result, preparation, results_of, words_of
+from lagdsl.engines.backends.tape.function import NO_CODE, Code, results_of, words_of
 from lagdsl.engines.backends.tape.nodes import Ints, Nodes, distinct, live_sets, nodes_of
-from lagdsl.engines.backends.tape.settled import Settled, settle
+from lagdsl.engines.backends.tape.one_state import Base, OneState, beside, one_state
+from lagdsl.engines.backends.tape.settled import Settled
 from lagdsl.language.flat.events import INITIAL
 
 VERSION: Final = 12
@@ -29,9 +28,6 @@ _KINDS: Final = (
     *("variable", "contact", "impacts", "sticks", "direction", "relation", "timed"),
     *("delay", "delay_rate", "condition", "clock", "initial", "terminal", "load"),
 )
-
-# Functions by number, as lag_function counts them.
-FUNCTIONS: Final = tuple(function.name for function in known.FUNCTIONS if function.single)
 
 # The lengths that a tape starts with, and where the name of the model stands, as lag_tape_size counts them.
 SIZES: Final = (
@@ -70,42 +66,41 @@ def tape(program: Program, start: Start | None = None, parts: Collection[str] = 
     `parts` of PARTS are what is wanted beside the functions of one state: those of several directions of derivatives
     at once, the derivatives of the motion.
     """
-    found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS[:2]]
-    written = motion_jacobian(program) if PARTS[2] in parts else None
-    nodes = nodes_of(program.graph)
-    single = [program.function(name).results if program.has(name) else () for name in FUNCTIONS]
-    several = [each.functions[name].results for each in found if each is not None for name in each.functions]
-    several += [] if written is None else [written.results]
-    every = [results_of(blocks) for blocks in (*single, *several)]
-    roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in every]
-    lives = live_sets(nodes, roots)
-    settled, constants, hoisted = settle(nodes, len(program.layout.parameters), lives, roots)
-    live = np.array(program.graph.live(hoisted.tolist()), dtype=np.int64)
-    first, row = preparation(nodes, live, hoisted, settled, len(program.layout.parameters))
-    codes, ends = [first], [row]
-    made: dict[tuple[tuple[int, bytes], ...], tuple[Ints, int]] = {}  # without constraints two functions are one
-    for name, live, own in zip(FUNCTIONS, lives, every, strict=False):
-        key = tuple((number, _key(result)) for number, result in enumerate(own) if result.count)
-        if program.has(name) and key not in made:
-            made[key] = words_of(nodes, live, own, settled)
-        words, end = made[key] if program.has(name) else (_NONE, 0)
-        codes.append(words)
-        ends.append(end)
-    rows = []
-    for each in found:
-        words_along, end, shared_end, own_row = _codes_along(nodes, each, settled)
-        codes += words_along
-        ends.append(end)
-        rows += [shared_end, own_row]
-    if written is not None:
-        words, end = words_of(nodes, lives[-1], every[-1], settled)
-        codes.append(words)
-        ends.append(end)
-    return _written(program, constants, start, codes, [max(ends), settled.first, *rows])
+    return Tapes(program).tape(start, parts)
+
+
+class Tapes:
+    """The tapes of one program: what all have in common is made once."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._common: tuple[OneState, list[bytes]] | None = None
+
+    def tape(self, start: Start | None = None, parts: Collection[str] = ()) -> bytes:
+        """As `tape` gives it."""
+        program = self._program
+        found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS[:2]]
+        written = motion_jacobian(program) if PARTS[2] in parts else None
+        nodes = nodes_of(program.graph)
+        if self._common is None:
+            self._common = one_state(program, nodes), _tables(program)
+        state, tables = self._common
+        several = [each.functions[name].results for each in found if each is not None for name in each.functions]
+        several += [] if written is None else [written.results]
+        every = [results_of(blocks) for blocks in several]
+        roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in every]
+        lives = live_sets(nodes, roots) if roots else []
+        base = beside(state, nodes, lives, roots)
+        jacobian = [] if written is None else [words_of(nodes, lives[-1], every[-1], base.settled)]
+        directions = [_codes_along(nodes, each, base.settled) for each in found]
+        codes = [*base.codes, *(code for own, *_ in directions for code in own), *jacobian]
+        of_state = [*base.codes, *(own[0] for own, *_ in directions), *jacobian]
+        rows = [max(code.row for code in of_state), base.settled.first, *(n for _, *own in directions for n in own)]
+        return _written(program, base, start, tables, codes, rows)
 
 
 def _written(
-    program: Program, constants: list[float], start: Start | None, codes: Sequence[Ints], rows: Sequence[int]
+    program: Program, base: Base, start: Start | None, tables: list[bytes], codes: Sequence[Code], rows: Sequence[int]
 ) -> bytes:
     """All sections."""
     texts = _Texts()
@@ -123,8 +118,8 @@ def _written(
     return _joined(
         [
             _words(lengths[name] for name in SIZES),
-            _doubles(constants),
-            *_tables(program),
+            _doubles(base.constants),
+            *tables,
             *_start(start),
             _words(texts.of_slots(_slots(layout))),
             _words(map(texts.place, _messages(layout))),
@@ -137,13 +132,11 @@ def _written(
 
 # ---- functions -------------------------------------------------------------------------------------------------------
 
-_NONE: Ints = np.zeros(0, dtype=np.int64)
 
-
-def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[list[Ints], int, int, int]:
-    """The words of the functions of several directions; the row of what they share, how much that is, their own row."""
+def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[list[Code], int, int]:
+    """Functions of several directions, that of the state first; how much they share of the row, and their own row."""
     if found is None:
-        return [_NONE] * (1 + len(ALONG)), 0, 0, 0
+        return [NO_CODE] * (1 + len(ALONG)), 0, 0
     functions = [found.functions[name] for name in ALONG if name in found.functions]
     common = np.array(shared(nodes.graph, elements(functions), ()), dtype=np.int64)
     common = common[(settled.place[common] < 0) & ~settled.hidden[common]]
@@ -151,22 +144,15 @@ def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[l
     before = replace(settled, first=after.first)
     motion = results_of(found.motion)
     (live,) = live_sets(nodes, [distinct(len(nodes.op), common, *(result.roots for result in motion))])
-    primal, single = words_of(nodes, live, motion, before, common)
-    codes, row = [primal], after.first
+    codes = [words_of(nodes, live, motion, before, common)]
     for name in ALONG:
-        words = _NONE
+        code = NO_CODE
         if name in found.functions:
             own = results_of(found.functions[name].results)
             live = _reached(nodes, distinct(len(nodes.op), *(result.roots for result in own)), after)
-            words, end = words_of(nodes, live, own, after)
-            row = max(row, end)
-        codes.append(words)
-    return codes, single, after.first, row
-
-
-def _key(result: Result) -> bytes:
-    """Equal for equal results."""
-    return blake2b(np.concatenate([[result.count], result.places, result.nodes]).tobytes()).digest()
+            code = words_of(nodes, live, own, after)
+        codes.append(code)
+    return codes, after.first, max(after.first, *(code.row for code in codes[1:]))
 
 
 def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
@@ -175,17 +161,17 @@ def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
     return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
 
 
-def _written_once(codes: Sequence[Ints]) -> tuple[list[int], Ints]:
-    """First word and number of words of every function, and all words; those of the same array stand there once."""
+def _written_once(codes: Sequence[Code]) -> tuple[list[int], Ints]:
+    """First word and number of words of every function, and all words; those of one code stand there once."""
     table: list[int] = []
     start: dict[int, int] = {}
-    words: list[Ints] = [_NONE]
+    end = 0
     for code in codes:
         if id(code) not in start:
-            start[id(code)] = sum(map(len, words))
-            words.append(code)
-        table += (start[id(code)], len(code))
-    return table, np.concatenate(words)
+            start[id(code)] = end
+            end += len(code.words)
+        table += (start[id(code)], len(code.words))
+    return table, np.concatenate([code.words for code in {id(code): code for code in codes}.values()])
 
 
 # ---- tables ----------------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import chain
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -17,6 +18,9 @@ from lagdsl.engines.backends.tape.schedule import groups
 from lagdsl.engines.backends.tape.selection import Selection, select
 from lagdsl.engines.backends.tape.settled import MINUS_ONE, ONE, Settled
 from lagdsl.foundation.record import record
+
+Piece: TypeAlias = tuple[Ints, Flags]
+"""Words, and True where one is a place in the row."""
 
 # Results with so many zeros are cleared before the others are written.
 _FEWEST_ZEROS = 8
@@ -46,11 +50,26 @@ def _result(block: Block) -> Result:
     return Result(block.size, places, nodes if block.is_sparse else nodes[places])
 
 
-def words_of(
-    nodes: Nodes, live: Ints, results: Sequence[Result], settled: Settled, kept: Ints | None = None
-) -> tuple[Ints, int]:
-    """The instructions that fill the `results`, which are computed from the nodes `live`, and the length
-    of the row that they need.
+@record()
+class Code:
+    """Instructions, and the length of the row that they need. `moves` where a word is a place in the row."""
+
+    words: Ints
+    moves: Flags
+    row: int
+
+    def moved(self, places: Ints, by: int) -> Code:
+        """The same where what was settled lies in other `places`, and what belongs to the function alone lies `by`
+        further."""
+        words = self.words.copy()
+        own = words[self.moves]
+        settled = len(places)
+        words[self.moves] = np.where(own < settled, places[np.minimum(own, settled - 1)], own + by)
+        return Code(words, self.moves, self.row + by)
+
+
+def words_of(nodes: Nodes, live: Ints, results: Sequence[Result], settled: Settled, kept: Ints | None = None) -> Code:
+    """The instructions that fill the `results`, which are computed from the nodes `live`.
 
     The nodes `kept`, ascending, are put into places in a row: the last ones before those of the function itself.
     """
@@ -65,14 +84,13 @@ def words_of(
     told = distinct(len(live), own, *(np.searchsorted(live, result.roots) for result in results))
     loads, loaded = _loads(nodes, live, at_hand, settled.first)
     body, place, end = _computed(nodes, live, known, at_hand, loaded, told, settled.first)
-    copies = [CODE["MULTIPLY"], np.count_nonzero(~computed)] if not computed.all() else []
-    for to, of in zip(places[~computed].tolist(), place[own[~computed]].tolist(), strict=True):
-        copies += [to, of, ONE]
+    copied = np.array([places[~computed], place[own[~computed]], np.full(np.count_nonzero(~computed), ONE)])
+    copies = _moving([CODE["MULTIPLY"], copied.shape[1]], copied.T.ravel()) if copied.size else _NOTHING
     stores = [_stored(number, result, live, place) for number, result in enumerate(results)]
-    return np.concatenate([*loads, body, np.array(copies, dtype=np.int64), *stores, [CODE["END"]]]), end
+    return _code([*loads, body, copies, *stores, _END], end)
 
 
-def preparation(nodes: Nodes, live: Ints, hoisted: Ints, settled: Settled, parameters: int) -> tuple[Ints, int]:
+def preparation(nodes: Nodes, live: Ints, hoisted: Ints, settled: Settled, parameters: int) -> Code:
     """The instructions that put the nodes `hoisted`, ascending, which are computed from `live`, into their places,
     after the constants and as many parameters."""
     known = settled.place[live]
@@ -80,19 +98,34 @@ def preparation(nodes: Nodes, live: Ints, hoisted: Ints, settled: Settled, param
     results = np.searchsorted(live, hoisted)
     at_hand[results] = False
     body, _, end = _computed(nodes, live, known, at_hand, _NONE, results, settled.first)
-    own = [GROUPS[Group.P], 0, parameters, settled.parameters]
-    load = [CODE["LOAD"], *own] if parameters else []
-    return np.concatenate([np.array([CODE["CONSTANTS"], *load]), body, [CODE["END"]]]), end
+    own = _moving([CODE["LOAD"], GROUPS[Group.P], 0, parameters], np.array([settled.parameters]))
+    return _code([_moving([CODE["CONSTANTS"]], _NONE), own if parameters else _NOTHING, body, _END], end)
 
 
 _NONE: Ints = np.zeros(0, dtype=np.int64)
 
 
-def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[Ints], Ints]:
+def _moving(head: Sequence[int], places: Ints) -> Piece:
+    """Words that are no places, and then `places`."""
+    return np.concatenate([np.array(head, dtype=np.int64), places]), np.arange(len(head) + len(places)) >= len(head)
+
+
+_NOTHING: Piece = _moving([], _NONE)
+_END: Piece = _moving([CODE["END"]], _NONE)
+NO_CODE: Final = Code(*_NOTHING, 0)
+"""Of a function that there is not."""
+
+
+def _code(pieces: Sequence[Piece], row: int) -> Code:
+    words, moves = zip(*pieces, strict=True)
+    return Code(np.concatenate(words), np.concatenate(moves), row)
+
+
+def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[Piece], Ints]:
     """The loads of the arguments, and their local numbers in the order of their places; -1 for what nothing reads."""
     symbols = np.flatnonzero((nodes.op[live] == Op.SYMBOL) & ~at_hand)
     groups, indices = nodes.operands[0, live[symbols]], nodes.operands[1, live[symbols]]
-    loads: list[Ints] = []
+    loads: list[Piece] = []
     loaded: list[Ints] = []
     for group in distinct(len(Group), groups).tolist():
         members, own = symbols[groups == group], indices[groups == group]
@@ -100,35 +133,35 @@ def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[I
         row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)
         row[own - start] = members
         place = first + sum(map(len, loaded))
-        loads.append(np.array([CODE["LOAD"], GROUPS[Group(group)], start, len(row), place]))
+        loads.append(_moving([CODE["LOAD"], GROUPS[Group(group)], start, len(row)], np.array([place])))
         loaded.append(row)
     return loads, np.concatenate([_NONE, *loaded])
 
 
-def _stored(number: int, result: Result, live: Ints, place: Ints) -> Ints:
+def _stored(number: int, result: Result, live: Ints, place: Ints) -> Piece:
     """The instruction that fills the result array `number`, where the nodes `live` are in these places."""
     count, entries, own = result.count, result.places, place[np.searchsorted(live, result.nodes)]
     if not count:
-        return _NONE
+        return _NOTHING
     if count - len(entries) >= _FEWEST_ZEROS:
-        return np.concatenate([[CODE["SCATTER"], number, count, len(entries)], entries, own])
+        return _moving([CODE["SCATTER"], number, count, len(entries), *entries.tolist()], own)
     whole = np.full(count, place[np.searchsorted(live, ZERO)] if len(entries) < count else -1)
     whole[entries] = own
-    return np.concatenate([[CODE["STORE"], number, 0, count], whole])
+    return _moving([CODE["STORE"], number, 0, count], whole)
 
 
 def _computed(
     nodes: Nodes, live: Ints, known: Ints, at_hand: Flags, loaded: Ints, results: Ints, first: int
-) -> tuple[Ints, Ints, int]:
+) -> tuple[Piece, Ints, int]:
     """The instructions between loads and stores, the place of every value, and the length of the row."""
     if at_hand[nodes.op[live] >= FIRST_UNARY].all():
         place = known.copy()
         place[loaded[loaded >= 0]] = first + np.flatnonzero(loaded >= 0)
-        return _NONE, place, first + len(loaded)
+        return _NOTHING, place, first + len(loaded)
     return _body(select(nodes, live, at_hand, results), known, loaded, results, first)
 
 
-def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Ints, Ints, int]:
+def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Piece, Ints, int]:
     grouped = groups(selection)
     order = np.fromiter(chain.from_iterable(grouped), dtype=np.int64)
     count, turns = len(selection.made), selection.turns
@@ -156,7 +189,7 @@ def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first:
     return _assembled(selection, order, lengths, padded), place, top + spare
 
 
-def _assembled(selection: Selection, order: Ints, lengths: Ints, place: Ints) -> Ints:
+def _assembled(selection: Selection, order: Ints, lengths: Ints, place: Ints) -> Piece:
     """The words of the steps in their `order`, in groups of such `lengths`."""
     count = len(selection.made)
     single = order < count
@@ -173,13 +206,16 @@ def _assembled(selection: Selection, order: Ints, lengths: Ints, place: Ints) ->
     at = start[np.cumsum(lengths) - lengths] - 2
     words[at] = np.append(selection.code, np.full(len(selection.turns), CODE["SINCOS"]))[firsts]
     words[at + 1] = lengths
+    moves = np.ones(len(words), dtype=np.bool_)
+    moves[at] = moves[at + 1] = False
     made, where = order[single], start[single]
     words[where] = place[selection.made[made]]
     words[where[summing[made]] + 1] = selection.signs[made[summing[made]]]
+    moves[where[summing[made]] + 1] = False
     for column, own in enumerate(selection.operands[made].T):  # operands stand from the left on
         words[(where + before[made])[own >= 0] + column] = place[own[own >= 0]]
     for step, begin in zip(order[~single].tolist(), start[~single].tolist(), strict=True):
         turn = selection.turns[step - count]
         words[begin - 1] = len(turn.angles)
         words[begin : begin + 3 * len(turn.angles)] = place[np.concatenate([turn.angles, turn.sines, turn.cosines])]
-    return words
+    return words, moves

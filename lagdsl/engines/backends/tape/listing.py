@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from lagdsl.engines.backends.tape.emit import FUNCTIONS
 from lagdsl.engines.backends.tape.instructions import CODE, THREE_PRODUCTS, TWO_PRODUCTS
+from lagdsl.engines.backends.tape.one_state import FUNCTIONS
 from lagdsl.foundation.record import record
 
 _HEAD = 24

@@ -7,11 +7,16 @@ instructions waits for.
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from lagdsl.engines.backends.tape.instructions import CODE
-from lagdsl.engines.backends.tape.nodes import sorted_by
+from lagdsl.engines.backends.tape.nodes import Ints, distinct, sorted_by
 from lagdsl.engines.backends.tape.selection import Selection
+
+# Arrays take as long for any group as Python does for so many steps.
+_MANY: Final = 64
 
 
 def groups(selection: Selection) -> list[list[int]]:
@@ -31,7 +36,7 @@ def groups(selection: Selection) -> list[list[int]]:
     height = _heights(len(kinds), after.tolist(), before.tolist())
     by_maker, bounds = sorted_by(before, len(kinds))
     needs = np.bincount(after, minlength=len(kinds))
-    return _scheduled(kinds, height, after[by_maker].tolist(), bounds.tolist(), needs.tolist())
+    return _Schedule(np.array(kinds), np.array(height), after[by_maker], bounds, needs).groups()
 
 
 def _heights(steps: int, after: list[int], before: list[int]) -> list[int]:
@@ -44,32 +49,67 @@ def _heights(steps: int, after: list[int], before: list[int]) -> list[int]:
     return height
 
 
-def _scheduled(
-    kinds: list[int], height: list[int], readers: list[int], bounds: list[int], needs: list[int]
-) -> list[list[int]]:
-    """Of the kinds that are `ready`, with the `highest` of their steps. Once for each step and each that waits for it:
-    most of the time that a tape takes."""
-    ready: dict[int, list[int]] = {kind: [] for kind in sorted(set(kinds))}
-    highest = dict.fromkeys(ready, -1)
-    found: list[list[int]] = []
-    released = [step for step, need in enumerate(needs) if not need]
-    left = len(kinds)
-    while True:
-        for step in released:
-            kind = kinds[step]
-            ready[kind].append(step)
-            if highest[kind] < height[step]:  # noqa: PLR1730, a call for each step
-                highest[kind] = height[step]
-        if not left:
-            return found
-        kind = max(highest, key=highest.__getitem__)
-        group = ready[kind]
-        found.append(group)
-        left -= len(group)
-        ready[kind], highest[kind] = [], -1
+class _Schedule:
+    """Steps that are `ready` by kind, and the `highest` of them. Once for each step and each that waits for it: most of
+    the time that a tape takes."""
+
+    def __init__(self, kinds: Ints, height: Ints, readers: Ints, bounds: Ints, needs: Ints) -> None:
+        self._arrays = kinds, height, readers, bounds, needs, np.zeros_like(needs)
+        self._kinds, self._height = kinds.tolist(), height.tolist()
+        self._readers, self._bounds = readers.tolist(), bounds.tolist()
+        self._needs = needs.data  # gives Python single numbers of the array at once
+        self._ready: dict[int, list[int]] = {kind: [] for kind in sorted(set(self._kinds))}
+        self._highest = dict.fromkeys(self._ready, -1)
+
+    def groups(self) -> list[list[int]]:
+        """Of the kinds that are ready, with the highest of their steps first."""
+        ready, highest = self._ready, self._highest
+        found: list[list[int]] = []
+        self._add([step for step, need in enumerate(self._needs) if not need])
+        left = len(self._kinds)
+        while left:
+            kind = max(highest, key=highest.__getitem__)
+            group = ready[kind]
+            found.append(group)
+            left -= len(group)
+            ready[kind], highest[kind] = [], -1
+            if len(group) < _MANY:
+                self._release(group)
+            else:
+                self._release_many(np.array(group))
+        return found
+
+    def _release(self, group: list[int]) -> None:
+        """Steps that wait for none but those of `group` become ready."""
+        needs, readers, bounds = self._needs, self._readers, self._bounds
         released = []
         for step in group:
             for reader in readers[bounds[step] : bounds[step + 1]]:
                 need = needs[reader] = needs[reader] - 1
                 if not need:
                     released.append(reader)
+        self._add(released)
+
+    def _release_many(self, group: Ints) -> None:
+        """The same on arrays."""
+        kinds, height, readers, bounds, needs, place = self._arrays
+        counts = bounds[group + 1] - bounds[group]
+        inside = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        waiting = readers[np.repeat(bounds[group], counts) + inside]
+        np.subtract.at(needs, waiting, 1)
+        places = np.arange(len(waiting))
+        place[waiting] = places  # which ascend: of several the last one stays
+        released = waiting[(needs[waiting] == 0) & (place[waiting] == places)]
+        own = kinds[released]
+        for kind in distinct(int(own.max(initial=-1)) + 1, own).tolist():
+            members = released[own == kind]
+            self._ready[kind] += members.tolist()
+            self._highest[kind] = max(self._highest[kind], int(height[members].max()))
+
+    def _add(self, released: list[int]) -> None:
+        kinds, height, ready, highest = self._kinds, self._height, self._ready, self._highest
+        for step in released:
+            kind = kinds[step]
+            ready[kind].append(step)
+            if highest[kind] < height[step]:  # noqa: PLR1730, a call for each step
+                highest[kind] = height[step]

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from lagdsl.derivation.program.digest import digest
 from lagdsl.derivation.program.program import Program
-from lagdsl.engines.backends.tape.emit import PARTS, tape
+from lagdsl.engines.backends.tape.emit import PARTS
 from lagdsl.engines.runtime.building.cache import cache_folder
 from lagdsl.engines.runtime.engines.c_engine import opened, pays
 from lagdsl.engines.runtime.engines.engine import EngineName
@@ -147,7 +147,7 @@ class AutoEngine(TapeEngine):
     @cached_property
     def _tape(self) -> bytes:
         """Made when it is first asked for: not where a library lies in the cache."""
-        return tape(self.program)
+        return self._tapes.tape()
 
     @cached_property
     def _key(self) -> str:

@@ -20,7 +20,7 @@ from lagdsl.engines.backends.python.sizes import motion_sizes
 from lagdsl.engines.backends.python.support.derivatives import variables
 from lagdsl.engines.backends.python.support.values import WITH_ACCELERATIONS, Call, require_room
 from lagdsl.engines.backends.python.support.vectorize import split
-from lagdsl.engines.backends.tape.emit import tape
+from lagdsl.engines.backends.tape.emit import Tapes
 from lagdsl.engines.runtime.engines.benches import Bench, Benches
 from lagdsl.engines.runtime.engines.broadcast import Crowd, Spread, apart, spread
 from lagdsl.engines.runtime.engines.buffers import place_of
@@ -71,6 +71,7 @@ class CEngine:
         self.program = program
         self._together = together and _goes_together(program)
         self._parts: dict[str, NativeModel] = {}
+        self._tapes = Tapes(program)
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
         self._memory = Memory()
@@ -89,7 +90,7 @@ class CEngine:
 
     def worked(self, seconds: float, left: float = 0.0) -> None:
         """So many seconds of work were done, and so many are known to come."""
-        if self._together and self._model.part is None and pays(left, tape(self.program)):
+        if self._together and self._model.part is None and pays(left, self._tapes.tape()):
             self._use(_loaded(self.program, _STATES))
 
     def along(self) -> NativeModel:
@@ -107,10 +108,9 @@ class CEngine:
     def _taped(self, part: str) -> NativeModel:
         known = self._parts.get(f"tape of {part}")
         if known is None:
-            from lagdsl.engines.backends.tape.emit import tape
             from lagdsl.engines.runtime.engines.tape_model import load_tape
 
-            known = self._parts[f"tape of {part}"] = load_tape(tape(self.program, parts=(part,)), part)
+            known = self._parts[f"tape of {part}"] = load_tape(self._tapes.tape(parts=(part,)), part)
         return known
 
     # ---- one state ---------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.derivation.program.program import Program
-from lagdsl.engines.backends.tape.emit import PARTS, tape
+from lagdsl.engines.backends.tape.emit import PARTS
 from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.engines.engine import EngineName
 from lagdsl.engines.runtime.engines.native_model import NativeModel
@@ -37,7 +37,7 @@ class TapeEngine(CEngine):
     @without_collection()
     def _made(self, part: str | None) -> bytes:
         """The tape with the functions that are called `part`; those of several states are on every tape."""
-        return tape(self.program, parts=(part,) if part in PARTS else ())
+        return self._tapes.tape(parts=(part,) if part in PARTS else ())
 
     @property
     def _crowd(self) -> int:
