@@ -17,6 +17,8 @@ from lagdsl.algebra.graph.partial import binary_partial, unary_partial
 # Looking a member up in its enumeration costs as much as the rest of a rule.
 _SYMBOL, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.SYMBOL, Op.NEGATE, Op.ADD, Op.SUBTRACT, Op.MULTIPLY
 _DIVIDE, _SELECT = Op.DIVIDE, Op.SELECT
+# A small change does not pass through all arguments.
+_PARTLY = frozenset((*STEPS, Op.SELECT))
 
 
 def mask_of(groups: Iterable[Group]) -> int:
@@ -34,7 +36,7 @@ def adjoints(graph: Graph, seeds: Mapping[int, int], groups: Sequence[Group]) ->
     One reverse sweep, a small multiple of the size of the seeded expressions, however many symbols there are.
     """
     wanted = mask_of(groups)
-    masks, ops, zero = graph.groups, graph.op, graph.zero
+    masks, ops, zero, add = graph.groups, graph.op, graph.zero, graph.add
     collected = {node: weight for node, weight in seeds.items() if weight != zero and masks[node] & wanted}
     heap = [-node for node in collected]
     heapify(heap)
@@ -53,7 +55,7 @@ def adjoints(graph: Graph, seeds: Mapping[int, int], groups: Sequence[Group]) ->
                 collected[argument] = contribution
                 heappush(heap, -argument)
             else:
-                collected[argument] = graph.add(known, contribution)
+                collected[argument] = add(known, contribution)
     return result
 
 
@@ -64,6 +66,12 @@ def _pull(graph: Graph, node: int, adjoint: int, wanted: int) -> list[tuple[int,
     if op < FIRST_BINARY:
         return [(a, graph.negate(adjoint) if op is _NEGATE else graph.multiply(adjoint, unary_partial(graph, node)))]
     b = graph.b[node]
+    if op is _MULTIPLY:  # most nodes
+        if not masks[b] & wanted:
+            return [(a, graph.multiply(adjoint, b))]
+        if not masks[a] & wanted:
+            return [(b, graph.multiply(adjoint, a))]
+        return [(a, graph.multiply(adjoint, b)), (b, graph.multiply(adjoint, a))]
     if op is _SELECT:
         c = graph.c[node]
         branches = ((b, graph.select(a, adjoint, graph.zero)), (c, graph.select(a, graph.zero, adjoint)))
@@ -82,8 +90,6 @@ def _weigh(graph: Graph, op: Op, node: int, position: int, adjoint: int) -> int:
     """Adjoint times the partial derivative of a two-argument node (a quotient's adjoint is divided already)."""
     if op is _ADD:
         return adjoint
-    if op is _MULTIPLY:
-        return graph.multiply(adjoint, graph.a[node] if position else graph.b[node])
     if op is _SUBTRACT:
         return graph.negate(adjoint) if position else adjoint
     if op is _DIVIDE:
@@ -105,7 +111,7 @@ class Tangent:
 
     def of(self, root: int) -> int:
         graph, known, mask = self._graph, self._known, self._mask
-        masks, ops = graph.groups, graph.op
+        masks, ops, operands = graph.groups, graph.op, graph.operands
         if not masks[root] & mask:
             return graph.zero
         stack = [root]
@@ -114,13 +120,14 @@ class Tangent:
             if node in known:
                 stack.pop()
                 continue
-            if ops[node] is _SYMBOL:
+            op = ops[node]
+            if op is _SYMBOL:
                 known[node] = self._seed(node)
                 stack.pop()
                 continue
             before = len(stack)
-            for x in moved_arguments(graph, node):
-                if x not in known and masks[x] & mask:
+            for x in moved_arguments(graph, node) if op in _PARTLY else operands[node]:
+                if masks[x] & mask and x not in known:
                     stack.append(x)
             if len(stack) == before:
                 known[node] = push(graph, node, known)

@@ -318,7 +318,13 @@ class Graph:
         node = table.get(key)
         if node is None:
             groups = self.groups
-            node = table[key] = self._append(op, a, b, -1, key, groups[a] | groups[b])
+            node = table[key] = len(groups)  # as `_append` does: most nodes are made here
+            groups.append(groups[a] | groups[b])
+            self.op.append(op)
+            self.a.append(a)
+            self.b.append(b)
+            self.c.append(-1)
+            self.operands.append(key)
         return node
 
     def _append(self, op: Op, a: int, b: int, c: int, operands: tuple[int, ...], groups: int) -> int:

@@ -5,6 +5,7 @@ Only scalars that depend on coordinates, parameters and time, without conditions
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import assert_never
 
 from lagdsl.algebra.graph.sums import share_sums
@@ -12,7 +13,7 @@ from lagdsl.derivation.mechanics.lowering.lowering import Lowering
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat.expression import FlatExpression
 from lagdsl.language.flat.model import Definition, FlatModel, Point
-from lagdsl.language.flat.traversal import postorder
+from lagdsl.language.flat.traversal import operands, postorder
 
 _SMOOTH = frozenset(
     {"sin", "cos", "tan", "sqrt", "exp", "log", "sinh", "cosh", "tanh", "asin", "acos", "atan", "atan2"}
@@ -27,15 +28,27 @@ def share_positions(lowering: Lowering, flat: FlatModel) -> None:
     plain = _Plain(flat)
     found = [item.value if isinstance(item, Definition) else item.position for item in plain.named]
     for term in flat.energies:
-        parts = [node.operand for node in postorder(term.value, plain.done) if isinstance(node, fx.Derivative)]
-        found += [part for part in (*parts, term.value) if plain.covers(part)]
-    if plain.sums < _FEW:
+        parts = plain.visit(term.value)
+        found += [part for part in (*parts, term.value) if id(part) in plain.done]
+    if _are_few(found):
         return
     roots: list[int] = []
     for expression in found:
         value = lowering.value(expression)
         roots += (value,) if isinstance(value, int) else value
     lowering.values.replace(share_sums(lowering.graph, roots))
+
+
+def _are_few(expressions: Sequence[FlatExpression]) -> bool:
+    seen: dict[int, FlatExpression] = {}
+    sums = 0
+    for expression in expressions:
+        for node in postorder(expression, seen):
+            seen[id(node)] = node
+            sums += isinstance(node, fx.Binary) and node.operator in ("+", "-")
+            if sums >= _FEW:
+                return False
+    return True
 
 
 class _Plain:
@@ -47,7 +60,6 @@ class _Plain:
         self._points: set[str] = set()
         self.done: dict[int, FlatExpression] = {}
         """Nodes that are, by identity."""
-        self.sums = 0
         self.named: list[Definition | Point] = []
         for item in flat.named:
             if isinstance(item, Definition):
@@ -60,15 +72,18 @@ class _Plain:
                 self.named.append(item)
 
     def covers(self, expression: FlatExpression) -> bool:
-        visited = []
-        for node in postorder(expression, self.done):
-            if not self._is_plain(node):
-                return False
-            visited.append(node)
-        for node in visited:
-            self.done[id(node)] = node
-            self.sums += isinstance(node, fx.Binary) and node.operator in ("+", "-")
-        return True
+        self.visit(expression)
+        return id(expression) in self.done
+
+    def visit(self, expression: FlatExpression) -> list[FlatExpression]:
+        """What is differentiated in it."""
+        done, found = self.done, []
+        for node in postorder(expression, done):
+            if isinstance(node, fx.Derivative):
+                found.append(node.operand)
+            elif self._is_plain(node) and all(id(part) in done for part in operands(node)):
+                done[id(node)] = node
+        return found
 
     def _is_plain(self, node: FlatExpression) -> bool:
         match node:

@@ -5,6 +5,8 @@ Source: Curtis, Powell and Reid, On the estimation of sparse Jacobian matrices, 
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from lagdsl.foundation.numerics.connected_blocks import Indices
@@ -17,15 +19,17 @@ def disjoint_columns(rows: Indices, columns: Indices, shape: tuple[int, int]) ->
     if 2 * widest > n:  # there are as many groups at least
         return np.arange(n)
     order = np.argsort(columns, kind="stable")
-    starts = np.searchsorted(columns[order], np.arange(n + 1))
-    taken = np.zeros((m, 2 * widest + 1), dtype=np.bool_)  # by row; it grows
-    groups = np.zeros(n, dtype=np.intp)
-    for column in range(n):
-        own = rows[order[starts[column] : starts[column + 1]]]
-        free = np.flatnonzero(~np.any(taken[own], axis=0))
-        if not len(free):
-            free = np.array([taken.shape[1]])
-            taken = np.concatenate([taken, np.zeros_like(taken)], axis=1)
-        groups[column] = free[0]
-        taken[own, free[0]] = True
-    return groups
+    starts = np.searchsorted(columns[order], np.arange(n + 1)).tolist()
+    of_columns = rows[order].tolist()
+    taken = [0] * m  # groups by row, as bits
+    groups = []
+    for start, end in pairwise(starts):
+        own = of_columns[start:end]
+        met = 0
+        for row in own:
+            met |= taken[row]
+        free = ~met & met + 1  # the lowest bit that is not set
+        groups.append(free.bit_length() - 1)
+        for row in own:
+            taken[row] |= free
+    return np.array(groups, dtype=np.intp)

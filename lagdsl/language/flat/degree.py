@@ -25,9 +25,11 @@ class RateDegree:
 
     def of(self, expression: fx.FlatExpression) -> float:
         """0 for an expression without rates, up to inf."""
-        for node in postorder(expression, self._known):
-            self._known[id(node)] = (node, self._compute(node))
-        return self._known[id(expression)][1]
+        known = self._known
+        if id(expression) not in known:
+            for node in postorder(expression, known):
+                known[id(node)] = (node, self._compute(node))
+        return known[id(expression)][1]
 
     def _compute(self, expression: fx.FlatExpression) -> float:  # noqa: C901, PLR0912 one case per node
         orders = self.dependence.of(expression)

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field
-from functools import reduce
-from itertools import zip_longest
-from operator import or_
 from typing import assert_never
 
 from lagdsl.foundation.record import record
@@ -41,6 +38,10 @@ class Orders(Mapping[str, int]):
     def __len__(self) -> int:
         return self._levels[0].bit_count() if self._levels else 0
 
+    def highest(self) -> int:
+        """The highest number of time derivatives of all; -1 of nothing."""
+        return len(self._levels) - 1
+
     def differentiated(self) -> Iterator[str]:
         """The variables that occur with at least one derivative."""
         return self._variables.names_in(self._levels[1] if len(self._levels) > 1 else 0)
@@ -55,10 +56,14 @@ class Orders(Mapping[str, int]):
 
     def merged(self, *others: Orders) -> Orders:
         """Of what depends on this and on the others."""
-        levels = {orders._levels: None for orders in (self, *others) if orders._levels}
-        if len(levels) < 2:
-            return Orders(self._variables, *levels)
-        return Orders(self._variables, tuple(reduce(or_, masks) for masks in zip_longest(*levels, fillvalue=0)))
+        levels = self._levels
+        for orders in others:
+            more = orders._levels
+            if len(more) > len(levels):
+                levels, more = more, levels
+            if more and more != levels:
+                levels = (*(own | other for own, other in zip(levels, more, strict=False)), *levels[len(more) :])
+        return self if levels is self._levels else Orders(self._variables, levels)
 
 
 class _Variables:
@@ -97,18 +102,20 @@ class Dependence:
     def of(self, expression: fx.FlatExpression) -> Orders:
         """Parameters count too, with order 0. Quantities of the mechanics (multipliers, energies) have none."""
         known = self._by_node
-        if id(expression) not in known:
+        found = known.get(id(expression))
+        if found is None:
             for node in postorder(expression, known):
                 # The node is kept with its answer, so that its identity is not given to another one.
                 known[id(node)] = (node, self._compute(node))
-        return known[id(expression)][1]
+            found = known[id(expression)]
+        return found[1]
 
     @property
     def nothing(self) -> Orders:
         return Orders(self._variables)
 
     def of_all(self, expressions: Iterable[fx.FlatExpression]) -> Orders:
-        return self.nothing.merged(*(self.of(expression) for expression in expressions))
+        return self.nothing.merged(*map(self.of, expressions))
 
     def of_frame(self, name: str, *, turning_only: bool = False) -> Orders:
         """Of position and orientation of a frame, or of its orientation only."""

@@ -78,20 +78,20 @@ class _Pass:
     def _rebuilt(self, node: int) -> int:
         graph = self._graph
         operands = graph.operands[node]
-        if not operands or self._is_parametric(node) or node in self._kept:
+        if not operands or not graph.groups[node] & ~_PARAMETERS or node in self._kept:
             return node
         if not self._inner.isdisjoint(operands):
             return self._sum(node) if _LEVELS[graph.op[node]] == 1 else self._product(self._factors(node))
-        new = [self._new[x] for x in operands]
+        known = self._new
         if graph.op[node] is _MULTIPLY:
-            return self._gathered(*new)
-        return graph.rebuild(node, new)
+            return self._gathered(known[operands[0]], known[operands[1]])
+        return graph.rebuild(node, [known[x] for x in operands])
 
     def _gathered(self, x: int, y: int) -> int:
         """x*y; a parameter goes to the parameter that is a factor of the other already."""
-        graph = self._graph
+        graph, groups = self._graph, self._graph.groups
         for first, second in ((x, y), (y, x)):
-            if self._is_parametric(first) and graph.op[second] is _MULTIPLY:
+            if not groups[first] & ~_PARAMETERS and graph.op[second] is _MULTIPLY:
                 for which, factor in enumerate(graph.operands[second]):
                     if self._is_parametric(factor):
                         return graph.multiply(graph.multiply(first, factor), graph.operands[second][1 - which])
@@ -146,29 +146,31 @@ class _Pass:
 
     def _wanted(self, node: int) -> int:
         """When the operands of a product are there, since its sum comes with it; else when the node is."""
-        is_product = self._graph.op[node] is _MULTIPLY and not self._is_parametric(node)
+        graph = self._graph
+        is_product = graph.op[node] is _MULTIPLY and graph.groups[node] & ~_PARAMETERS
         return self._time(node) - (1 if is_product else 0)
 
     def _time(self, node: int) -> int:
         """When a node is there, in additions."""
-        when, graph = self._when, self._graph
-        if node in when:
-            return when[node]
+        when, all_operands, groups = self._when, self._graph.operands, self._graph.groups
+        found = when.get(node)
+        if found is not None:
+            return found
         stack = [node]
         while stack:
             x = stack[-1]
-            if x in when:
+            operands = all_operands[x]
+            if not operands or not groups[x] & ~_PARAMETERS:
+                when[x] = 0
                 stack.pop()
                 continue
-            operands = graph.operands[x]
-            if not graph.groups[x] & ~_PARAMETERS:
-                when[x] = 0
-                continue
-            missing = [y for y in operands if y not in when]
-            if missing:
-                stack += missing
-                continue
-            when[x] = self._after(x, operands) if operands else 0
+            before = len(stack)
+            for y in operands:
+                if y not in when:
+                    stack.append(y)
+            if len(stack) == before:
+                when[x] = self._after(x, operands)
+                stack.pop()
         return when[node]
 
     def _after(self, node: int, operands: Sequence[int]) -> int:

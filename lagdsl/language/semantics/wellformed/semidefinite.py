@@ -21,9 +21,11 @@ class Semidefinite:
 
     def of(self, expression: fx.FlatExpression) -> bool:
         """True if a scalar is at least zero wherever it is defined; False where the form does not show it."""
-        for node in postorder(expression, self._known):
-            self._known[id(node)] = node, self._compute(node)
-        return self._known[id(expression)][1]
+        known = self._known
+        if id(expression) not in known:
+            for node in postorder(expression, known):
+                known[id(node)] = node, self._compute(node)
+        return known[id(expression)][1]
 
     def _compute(self, expression: fx.FlatExpression) -> bool:
         match expression:
