@@ -6,6 +6,8 @@ error is reported once, at its place, and its value becomes poison.
 
 from __future__ import annotations
 
+from typing import Final
+
 from lagdsl.foundation.units.definition import si_value
 from lagdsl.foundation.units.dimension import DIMENSIONLESS
 from lagdsl.foundation.units.parse import UnknownUnit, parse_unit
@@ -24,6 +26,10 @@ from lagdsl.language.semantics.variables import scale_points
 from lagdsl.language.syntax import nodes
 
 
+# To be looked for among texts that are spelled alike.
+_SPELLED: Final = (nodes.Compound, nodes.Index)
+
+
 def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = False) -> Value:
     """The typed value of `node`.
 
@@ -32,7 +38,7 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
     than a value behind.
     """
     current = ctx.current
-    number = current.common.number(node) if isinstance(node, nodes.Compound | nodes.Index) else None
+    number = current.common.number(node) if isinstance(node, _SPELLED) else None
     if number is None:
         return _elaborated(ctx, scope, node, adopt)
     values, key = current.common.of(scope, (current.quiet, current.in_clause), number), (number, adopt)
@@ -55,12 +61,7 @@ def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool)
         case nodes.Parenthesized():
             return elaborate(ctx, scope, node.inner, adopt)
         case nodes.Binary():
-            scale_points.check_operator(ctx, node)
-            left, right = elaborate(ctx, scope, node.left), elaborate(ctx, scope, node.right)
-            if node.operator not in ("and", "or"):
-                left, right = geometry.operand(ctx, left, node.left.span), geometry.operand(ctx, right, node.right.span)
-            angles.check_operator(ctx, scope, node)
-            return arithmetic.binary(ctx, scope, node, left, right)
+            return _binary(ctx, scope, node)
         case nodes.Quantity():
             return _quantity(ctx, node)
         case nodes.Unary(operand=nodes.Quantity() as literal) if scale_points.is_signed_point(node):
@@ -101,6 +102,28 @@ def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool)
             found = "a list in round brackets"
             ctx.sink.report("E0312", node.span, expected="one value", found=found, help=braces(node.span.text))
             return POISON
+
+
+def _binary(ctx: Context, scope: Scope, node: nodes.Binary) -> Value:
+    """Checked where its operands are of other types than they were before."""
+    known = ctx.alike.of(node)
+    sound = known is not None
+    if not sound:
+        before = ctx.effects
+        scale_points.check_operator(ctx, node)
+        sound = ctx.effects == before
+    left, right = elaborate(ctx, scope, node.left), elaborate(ctx, scope, node.right)
+    same = known.value(left, right) if known is not None else None
+    if same is not None:
+        return same
+    before = ctx.effects
+    if node.operator not in ("and", "or"):
+        left, right = geometry.operand(ctx, left, node.left.span), geometry.operand(ctx, right, node.right.span)
+    angles.check_operator(ctx, scope, node)
+    value = arithmetic.binary(ctx, scope, node, left, right)
+    if sound and ctx.effects == before and not angles.stands_beside_number(node):
+        ctx.alike.keep(node, left, right, value)
+    return value
 
 
 def _number(ctx: Context, node: nodes.Number, adopt: bool) -> Value:

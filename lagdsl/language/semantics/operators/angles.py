@@ -22,6 +22,12 @@ def check_operator(ctx: Context, scope: Scope, node: nodes.Binary) -> None:
         check_beside(ctx, scope, node.left, node.right)
 
 
+def stands_beside_number(node: nodes.Binary) -> bool:
+    """True for operands of which it matters that one is an angle."""
+    sides = (node.left, node.right)
+    return node.operator in _COMPARED and any(bare_number(side) is not None for side in sides)
+
+
 def check_call(ctx: Context, scope: Scope, node: nodes.Call) -> None:
     """The same for functions of quantities of one kind."""
     if isinstance(node.function, nodes.Reference) and node.function.name in _FUNCTIONS:

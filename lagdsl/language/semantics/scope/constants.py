@@ -50,7 +50,7 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 def evaluate(expression: FlatExpression) -> float:
     """The value of an expression of numbers; raises NoValue where there is none."""
     try:
-        value = _Evaluation().scalar(expression)
+        value = expression.value if isinstance(expression, flat.Number) else _Evaluation().scalar(expression)
     except ZeroDivisionError:
         raise NoValue("division by zero") from None
     except OverflowError:
