@@ -38,13 +38,9 @@ class Orders(Mapping[str, int]):
     def __len__(self) -> int:
         return self._levels[0].bit_count() if self._levels else 0
 
-    def highest(self) -> int:
-        """The highest number of time derivatives of all; -1 of nothing."""
-        return len(self._levels) - 1
-
-    def differentiated(self) -> Iterator[str]:
-        """The variables that occur with at least one derivative."""
-        return self._variables.names_in(self._levels[1] if len(self._levels) > 1 else 0)
+    def differentiated(self, times: int = 1) -> Iterator[str]:
+        """The variables that occur with at least so many derivatives."""
+        return self._variables.names_in(self._levels[times] if len(self._levels) > times else 0)
 
     def raised(self) -> Orders:
         """Of the time derivative."""
@@ -106,9 +102,14 @@ class Dependence:
         if found is None:
             for node in postorder(expression, known):
                 # The node is kept with its answer, so that its identity is not given to another one.
-                known[id(node)] = (node, self._compute(node))
+                known[id(node)] = (node, self._of_binary(node) if type(node) is fx.Binary else self._compute(node))
             found = known[id(expression)]
         return found[1]
+
+    def _of_binary(self, node: fx.Binary) -> Orders:
+        """As `_compute`: most nodes."""
+        known = self._by_node
+        return known[id(node.left)][1].merged(known[id(node.right)][1])
 
     @property
     def nothing(self) -> Orders:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from functools import cached_property
 from itertools import product
 
@@ -33,20 +32,19 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
     degree = RateDegree(dependence)
     trials = _Trials(flat)
     for term in flat.energies:
-        orders = {name: order for name, order in dependence.of(term.value).items() if name in coordinates}
-        accelerations = [name for name, order in orders.items() if order > 1]
-        rates = [name for name, order in orders.items() if order == 1]
-        if accelerations:
-            sink.report(
-                "E0512", place(term), *around(term), keyword=term.kind, acceleration=f"der(der({accelerations[0]}))"
-            )
-        elif term.kind == "potential" and rates:
-            sink.report("E0502", place(term), *around(term), keyword=term.kind, rate=f"der({rates[0]})")
+        orders = dependence.of(term.value)
+        rates = [next((name for name in orders.differentiated(k) if name in coordinates), None) for k in (1, 2)]
+        rate, acceleration = rates
+        if acceleration is not None:
+            sink.report("E0512", place(term), *around(term), keyword=term.kind, acceleration=f"der(der({acceleration}))")
+        elif term.kind == "potential" and rate is not None:
+            sink.report("E0502", place(term), *around(term), keyword=term.kind, rate=f"der({rate})")
         elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(trials, term):
             sink.report("E0504", place(term), *around(term))
-        else:
-            stepped = any(turns(name) for name in dependence.of(term.value))
-            _check_effect(term, orders, stepped, sink)
+        elif term.kind == "dissipation" and rate is None:
+            _report_idle(term, "it depends on no rate, and only rates dissipate", sink)
+        elif coordinates.isdisjoint(orders) and not any(map(turns, orders)):
+            _report_idle(term, "it depends on no coordinate", sink)
     if not sink.has_errors:
         _check_sign(flat, trials, sink)
         if not check_damping(flat, sink):
@@ -120,18 +118,8 @@ def _check_dissipation(flat: fm.FlatModel, trials: _Trials, sink: Sink) -> None:
             return
 
 
-def _check_effect(term: fm.EnergyTerm, orders: Mapping[str, int], stepped: bool, sink: Sink) -> None:
-    """W0514 for a term without effect; one that is `stepped` by relations of the motion acts where they turn."""
-    if term.kind == "dissipation" and not any(orders.values()):
-        sink.report(
-            "W0514",
-            place(term),
-            *around(term),
-            keyword=term.kind,
-            reason="it depends on no rate, and only rates dissipate",
-        )
-    elif not orders and not stepped:
-        sink.report("W0514", place(term), *around(term), keyword=term.kind, reason="it depends on no coordinate")
+def _report_idle(term: fm.EnergyTerm, reason: str, sink: Sink) -> None:
+    sink.report("W0514", place(term), *around(term), keyword=term.kind, reason=reason)
 
 
 def _is_quadratic(trials: _Trials, term: fm.EnergyTerm) -> bool:
