@@ -20,18 +20,19 @@ class Substitution:
     def of(self, root: int) -> int:
         graph, known, mask = self._graph, self._known, self._mask
         groups, operands = graph.groups, graph.operands
-        stack = [root]
+        stack = [root] if groups[root] & mask else []
         while stack:
             node = stack[-1]
-            if node in known or not groups[node] & mask:
+            if node in known:
                 stack.pop()
                 continue
-            before = len(stack)
-            for x in operands[node]:
-                if x not in known and groups[x] & mask:
+            before, own = len(stack), operands[node]
+            for x in own:
+                if groups[x] & mask and x not in known:
                     stack.append(x)
             if len(stack) == before:
-                known[node] = graph.rebuild(node, [known.get(x, x) for x in operands[node]])
+                new = [known.get(x, x) for x in own]
+                known[node] = node if new == [*own] else graph.rebuild(node, new)
                 stack.pop()
         return known.get(root, root)
 

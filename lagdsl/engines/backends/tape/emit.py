@@ -5,12 +5,14 @@ from __future__ import annotations
 import zlib
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
+from lagdsl.algebra.graph.differentiate import mask_of
+from lagdsl.algebra.graph.operation import DIRECTION_OF, FIRST_UNARY
 from lagdsl.derivation.program.lengths import counted, sizes
-from lagdsl.derivation.program.passes.along import Along, along, elements, shared
+from lagdsl.derivation.program.passes.along import Along, along
 from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
 from lagdsl.derivation.program.passes.pattern import patterns, rates_pattern
 from lagdsl.derivation.program.program import Layout, Program, Slot
@@ -21,6 +23,7 @@ from lagdsl.engines.backends.tape.one_state import Base, OneState, beside, one_s
 from lagdsl.engines.backends.tape.settled import Settled
 from lagdsl.language.flat.events import INITIAL
 
+_DIRECTIONS: Final = mask_of(DIRECTION_OF.values())
 VERSION: Final = 12
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
@@ -85,14 +88,17 @@ class Tapes:
         if self._common is None:
             self._common = one_state(program, nodes), _tables(program)
         state, tables = self._common
-        several = [each.functions[name].results for each in found if each is not None for name in each.functions]
-        several += [] if written is None else [written.results]
-        every = [results_of(blocks) for blocks in several]
-        roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in every]
+        several = [list(each.functions.values()) for each in found if each is not None]
+        several += [] if written is None else [[written]]
+        results = [[result for function in own for result in results_of(function.results)] for own in several]
+        roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in results]
         lives = live_sets(nodes, roots) if roots else []
         base = beside(state, nodes, lives, roots)
-        jacobian = [] if written is None else [words_of(nodes, lives[-1], every[-1], base.settled)]
-        directions = [_codes_along(nodes, each, base.settled) for each in found]
+        jacobian = [] if written is None else [words_of(nodes, lives[-1], results[-1], base.settled)]
+        own = iter(zip(lives, roots, strict=True))
+        directions = [
+            _NO_DIRECTIONS if each is None else _codes_along(nodes, each, *next(own), base.settled) for each in found
+        ]
         codes = [*base.codes, *(code for own, *_ in directions for code in own), *jacobian]
         of_state = [*base.codes, *(own[0] for own, *_ in directions), *jacobian]
         rows = [max(code.row for code in of_state), base.settled.first, *(n for _, *own in directions for n in own)]
@@ -133,12 +139,14 @@ def _written(
 # ---- functions -------------------------------------------------------------------------------------------------------
 
 
-def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[list[Code], int, int]:
-    """Functions of several directions, that of the state first; how much they share of the row, and their own row."""
-    if found is None:
-        return [NO_CODE] * (1 + len(ALONG)), 0, 0
-    functions = [found.functions[name] for name in ALONG if name in found.functions]
-    common = np.array(shared(nodes.graph, elements(functions), ()), dtype=np.int64)
+_Directions: TypeAlias = tuple[list[Code], int, int]
+_NO_DIRECTIONS: Final[_Directions] = ([NO_CODE] * (1 + len(ALONG)), 0, 0)
+
+
+def _codes_along(nodes: Nodes, found: Along, live: Ints, roots: Ints, settled: Settled) -> _Directions:
+    """Functions of several directions, that of the state first; how much they share of the row, and their own row. All
+    together they are computed from the nodes `live`, with `roots` as results."""
+    common = _shared(nodes, live, roots)
     common = common[(settled.place[common] < 0) & ~settled.hidden[common]]
     after = settled.with_more(common)
     before = replace(settled, first=after.first)
@@ -153,6 +161,14 @@ def _codes_along(nodes: Nodes, found: Along | None, settled: Settled) -> tuple[l
             code = words_of(nodes, live, own, after)
         codes.append(code)
     return codes, after.first, max(after.first, *(code.row for code in codes[1:]))
+
+
+def _shared(nodes: Nodes, live: Ints, roots: Ints) -> Ints:
+    """Nodes that do not depend on a direction and are results or read by what does, ascending."""
+    moving = nodes.groups & _DIRECTIONS != 0
+    operands = nodes.operands[:, live[moving[live] & (nodes.op[live] >= FIRST_UNARY)]].ravel()
+    wanted = distinct(len(nodes.op), operands[operands >= 0], roots)
+    return wanted[~moving[wanted]]
 
 
 def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:

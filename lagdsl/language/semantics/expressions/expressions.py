@@ -25,7 +25,6 @@ from lagdsl.language.semantics.scope.values import POISON, Poison, Scalar, Text,
 from lagdsl.language.semantics.variables import scale_points
 from lagdsl.language.syntax import nodes
 
-
 # To be looked for among texts that are spelled alike.
 _SPELLED: Final = (nodes.Compound, nodes.Index)
 

@@ -36,7 +36,9 @@ def check_energies(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> No
         rates = [next((name for name in orders.differentiated(k) if name in coordinates), None) for k in (1, 2)]
         rate, acceleration = rates
         if acceleration is not None:
-            sink.report("E0512", place(term), *around(term), keyword=term.kind, acceleration=f"der(der({acceleration}))")
+            sink.report(
+                "E0512", place(term), *around(term), keyword=term.kind, acceleration=f"der(der({acceleration}))"
+            )
         elif term.kind == "potential" and rate is not None:
             sink.report("E0502", place(term), *around(term), keyword=term.kind, rate=f"der({rate})")
         elif term.kind == "kinetic" and degree.of(term.value) > 2 and not _is_quadratic(trials, term):
