@@ -90,10 +90,12 @@ def solve(
     definitions = Definitions(terms=terms, rotations=definitions.rotations)
     exchanged = {step.rate for step in reduced.steps}
     heavy = [rate for rate in rates if rate not in exchanged]
+    # Among rates alone there is nothing to choose.
+    ranked = (by_depth, by_creation) if definitions.terms or definitions.rotations else (by_depth,)
     orders = [
-        Order(rates=heavy, priority=priority, delayed=frozenset(delayed))
+        Order(rates=heavy, priority=priority(definitions, heavy), delayed=frozenset(delayed))
         for delayed in (((), heavy) if 1 < len(heavy) <= _LARGEST_DELAYED else ((),))
-        for priority in (by_depth(definitions, heavy), by_creation(definitions, heavy))
+        for priority in ranked
     ]
 
     def solved(order: Order, nodes: int | None) -> Solution | None:

@@ -73,7 +73,9 @@ def add_lagrangian(form: AccelerationForm, lowering: Lowering, apart: Apart, lag
     """`lagrangian` has the symbols of `apart`. Momenta by velocity, their rates of change at qdd = 0, dL/dq without."""
     graph = form.graph
     momenta: dict[int, int] = {}
-    for symbol, part in adjoints(graph, {lagrangian: graph.one}, (Group.Q, *VELOCITY)).items():
+    if lagrangian not in lowering.gradients:
+        lowering.gradients[lagrangian] = adjoints(graph, {lagrangian: graph.one}, (Group.Q, *VELOCITY))
+    for symbol, part in lowering.gradients[lagrangian].items():
         value = apart.together(part)
         if graph.group(symbol) is Group.Q:
             form.add_force(graph.symbol(Group.QD, graph.b[symbol]), value)

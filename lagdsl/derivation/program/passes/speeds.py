@@ -28,6 +28,8 @@ def speeds(flat: FlatModel, program: Program) -> tuple[bool, ...]:
     """Flags of inputs with one derivative, as `w(smooth = 1)` and `der(s)` of `s(smooth = 2)`, whose values have a part
     in rates of constraints or in momenta, and whose derivatives have none in loads, energies, states and relations:
     what integrates them would jump."""
+    if not flat.inputs:
+        return ()
     rates = {item.derivative_of: index for index, item in enumerate(flat.inputs)}
     prescribed, reading = _present(program, ("velocity_constraint", "momenta")), _present(program, _READING)
     return tuple(

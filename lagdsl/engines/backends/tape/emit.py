@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Final, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.algebra.graph.differentiate import mask_of
 from lagdsl.algebra.graph.operation import DIRECTION_OF, FIRST_UNARY
@@ -177,7 +178,7 @@ def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
     return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
 
 
-def _written_once(codes: Sequence[Code]) -> tuple[list[int], Ints]:
+def _written_once(codes: Sequence[Code]) -> tuple[list[int], NDArray[np.uint32]]:
     """First word and number of words of every function, and all words; those of one code stand there once."""
     table: list[int] = []
     start: dict[int, int] = {}
@@ -279,7 +280,7 @@ class _Texts:
 # ---- the file --------------------------------------------------------------------------------------------------------
 
 
-def _words(values: Iterable[int] | Ints) -> bytes:
+def _words(values: Iterable[int] | Ints | NDArray[np.uint32]) -> bytes:
     array = values if isinstance(values, np.ndarray) else np.array(list(values), dtype=np.int64)
     return array.astype("<u4").tobytes()
 

@@ -7,6 +7,7 @@ from itertools import chain
 from typing import Final, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.operation import FIRST_UNARY, Group, Op
@@ -54,7 +55,7 @@ def _result(block: Block) -> Result:
 class Code:
     """Instructions, and the length of the row that they need. `moves` where a word is a place in the row."""
 
-    words: Ints
+    words: NDArray[np.uint32]
     moves: Flags
     row: int
 
@@ -62,7 +63,7 @@ class Code:
         """The same where what was settled lies in other `places`, and what belongs to the function alone lies `by`
         further."""
         words = self.words.copy()
-        own = words[self.moves]
+        own = words[self.moves].astype(np.int64)
         settled = len(places)
         words[self.moves] = np.where(own < settled, places[np.minimum(own, settled - 1)], own + by)
         return Code(words, self.moves, self.row + by)
@@ -112,13 +113,15 @@ def _moving(head: Sequence[int], places: Ints) -> Piece:
 
 _NOTHING: Piece = _moving([], _NONE)
 _END: Piece = _moving([CODE["END"]], _NONE)
-NO_CODE: Final = Code(*_NOTHING, 0)
-"""Of a function that there is not."""
 
 
 def _code(pieces: Sequence[Piece], row: int) -> Code:
     words, moves = zip(*pieces, strict=True)
-    return Code(np.concatenate(words), np.concatenate(moves), row)
+    return Code(np.concatenate(words).astype(np.uint32), np.concatenate(moves), row)
+
+
+NO_CODE: Final = _code([_NOTHING], 0)
+"""Of a function that there is not."""
 
 
 def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[Piece], Ints]:

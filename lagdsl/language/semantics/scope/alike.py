@@ -1,7 +1,7 @@
 """Sums, products and powers whose operands are of the same types as those of the same text before.
 
 The text of a loop stands in every turn, that of a class in every instance. It is checked where it is met first: types
-and units of the operands decide what is told of it, and the type of its value.
+and units of its operands decide what is told of it, and the type of its value.
 """
 
 from __future__ import annotations
