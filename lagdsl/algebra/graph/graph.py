@@ -20,6 +20,9 @@ _EVEN = (Op.COS, Op.COSH, Op.ABS)
 _CONSTANT, _NEGATE, _ADD, _SUBTRACT, _MULTIPLY = Op.CONSTANT, Op.NEGATE, Op.ADD, Op.SUBTRACT, Op.MULTIPLY
 
 
+# By number: a call of the enumeration looks for the member.
+_GROUPS = tuple(map(Group, range(len(Group))))
+
 # The node of 0.0 in every graph.
 ZERO = 0
 
@@ -260,7 +263,7 @@ class Graph:
         return self.op[node] is _CONSTANT
 
     def group(self, symbol: int) -> Group:
-        return Group(self.a[symbol])
+        return _GROUPS[self.a[symbol]]
 
     def depends(self, node: int, *groups: Group) -> bool:
         """True if a symbol of one of `groups` occurs in the expression of `node`."""

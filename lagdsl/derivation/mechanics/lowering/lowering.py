@@ -93,21 +93,22 @@ class Lowering:
 
     def value(self, expression: FlatExpression) -> Value:
         """The node or the three nodes of an expression of this model."""
-        values = self.values
+        values, known = self.values, self.values.by_identity
         stack = [expression]
         while stack:
             current = stack[-1]
-            if current in values:
+            if id(current) in known:
                 stack.pop()
                 continue
-            missing = [x for x in self._needed(current) if x not in values]
-            if missing:
-                missing.reverse()
-                stack += missing
-                continue
-            values[current] = self._combine(current)
-            stack.pop()
-        return values[expression]
+            before = len(stack)
+            needed = (current.left, current.right) if isinstance(current, flat.Binary) else self._needed(current)
+            for x in reversed(needed):
+                if id(x) not in known:
+                    stack.append(x)
+            if len(stack) == before:
+                values[current] = self._combine(current)
+                stack.pop()
+        return known[id(expression)]
 
     def poses(self, frame: str) -> Poses:
         """Poses and angular velocities, with that of `frame` made."""
@@ -233,8 +234,8 @@ class Lowering:
         assert_never(expression)
 
     def _binary(self, expression: flat.Binary) -> Value:
-        graph, operator = self.graph, expression.operator
-        left, right = self.values[expression.left], self.values[expression.right]
+        graph, operator, known = self.graph, expression.operator, self.values.by_identity
+        left, right = known[id(expression.left)], known[id(expression.right)]
         if isinstance(left, int) and isinstance(right, int):
             return binary(graph, operator, left, right)
         if isinstance(left, int):

@@ -47,15 +47,15 @@ _FUNCTIONS: dict[str, Op] = {
 
 def binary(graph: Graph, operator: BinaryOperator, left: int, right: int) -> int:
     """A scalar operator; `>` and `>=` are the opposite comparisons with sides exchanged."""
-    match operator:
+    match operator:  # what models consist of stands first
+        case "+" | "-" | "*" | "/" | "^" | "<" | "<=" | "==" | "and" | "or":
+            return graph.binary(_BINARY[operator], left, right)
         case ">":
             return graph.binary(Op.LESS, right, left)
         case ">=":
             return graph.binary(Op.LESS_EQUAL, right, left)
         case "<>":
             return graph.unary(Op.NOT, graph.binary(Op.EQUAL, left, right))
-        case "+" | "-" | "*" | "/" | "^" | "<" | "<=" | "==" | "and" | "or":
-            return graph.binary(_BINARY[operator], left, right)
         case _:
             assert_never(operator)
 

@@ -12,33 +12,34 @@ Value: TypeAlias = "int | Vector"
 
 
 class Values:
-    """A node for a scalar, three for a vector. The expressions are kept: another one never has the identity of one."""
+    """A node for a scalar, three for a vector: `by_identity` of the expressions. These are kept: another one never has
+    the identity of one."""
 
     def __init__(self) -> None:
-        self._values: dict[int, Value] = {}
+        self.by_identity: dict[int, Value] = {}
         self._kept: list[FlatExpression] = []
 
     def __contains__(self, expression: FlatExpression) -> bool:
-        return id(expression) in self._values
+        return id(expression) in self.by_identity
 
     def __getitem__(self, expression: FlatExpression) -> Value:
-        return self._values[id(expression)]
+        return self.by_identity[id(expression)]
 
     def __setitem__(self, expression: FlatExpression, value: Value) -> None:
         self._kept.append(expression)
-        self._values[id(expression)] = value
+        self.by_identity[id(expression)] = value
 
     def node(self, expression: FlatExpression) -> int:
-        return cast(int, self._values[id(expression)])
+        return cast(int, self.by_identity[id(expression)])
 
     def triple(self, expression: FlatExpression) -> Vector:
-        return cast(Vector, self._values[id(expression)])
+        return cast(Vector, self.by_identity[id(expression)])
 
     def replace(self, nodes: Mapping[int, int]) -> None:
         """Nodes to be others in all values so far, and so in what is made of them later."""
-        for key, value in self._values.items() if nodes else ():
+        for key, value in self.by_identity.items() if nodes else ():
             if isinstance(value, int):
-                self._values[key] = nodes.get(value, value)
+                self.by_identity[key] = nodes.get(value, value)
             else:
                 x, y, z = (nodes.get(component, component) for component in value)
-                self._values[key] = (x, y, z)
+                self.by_identity[key] = (x, y, z)
