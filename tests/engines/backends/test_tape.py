@@ -21,12 +21,13 @@ from lagdsl.algebra.graph.evaluate import evaluate_with_size
 from lagdsl.derivation.program.functions import STATE
 from lagdsl.derivation.program.program import Program
 from lagdsl.engines.backends.start import Start, start_of
-from lagdsl.engines.backends.tape.emit import SIZES, tape
+from lagdsl.engines.backends.tape.emit import SIZES, Tapes, tape
 from lagdsl.engines.backends.tape.instructions import ANGLES, CODE
 from lagdsl.engines.backends.tape.listing import instructions
 from lagdsl.engines.runtime.engines.buffers import aligned
 from lagdsl.engines.runtime.engines.engine import SingularSystem
 from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
+from lagdsl.engines.runtime.engines.one_state import OneState
 from lagdsl.engines.runtime.engines.tape_engine import TapeEngine
 from lagdsl.engines.runtime.engines.tape_model import DamagedTape, load_tape
 from lagdsl.engines.runtime.library import runtime_library
@@ -212,6 +213,22 @@ def test_the_same_bytes_under_any_hash_seed() -> None:
         check=True,
     )
     assert done.stdout.strip() == hashlib.sha256(tape(_program(SOME[1]))).hexdigest()  # this process drew its seed
+
+
+def test_functions_of_one_state_beside_others() -> None:
+    """In a tape with derivatives they lie elsewhere in the row, and have the same bits."""
+    program = _program(Path("models", "newtons_cradle.lag"))
+    tapes = Tapes(program)
+    made = tapes.tape(), tapes.tape(parts=("tangents",))
+    assert tapes.tape() == made[0] == tape(program)
+    state = [vector[0] for vector in _state(program, np.random.default_rng(6), 1)]
+    solved = []
+    for one in (OneState(load_tape(each), program.layout) for each in made):
+        one.set(float(state[0]), *state[1:])
+        one.prepare(state[-1])
+        solved.append([block.copy() for block in one.solve()[1:]])
+    assert all(map(np.array_equal, *solved))
+    assert np.all(solved[0][0] != 0.0)
 
 
 def test_instructions_can_be_listed() -> None:

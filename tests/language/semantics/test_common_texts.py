@@ -61,6 +61,37 @@ end M;
     assert {str(node.name) for value in inner for node in records(value) if isinstance(node, fx.Variable)} == {"x[2]"}
 
 
+def test_operands_of_one_turn_are_of_another_type() -> None:
+    """A sum is checked once for operands of the same types: where they differ it is checked again."""
+    _, sink = run("""model M
+  coordinate Length x[4];
+  for i in 1:4 loop
+    kinetic 1/2*(1 kg)*der(x[i])^2;
+    potential (1 N)*(x[i] - (if i == 3 then 2 s else 1 m));
+  end for;
+end M;
+""")
+    assert [each.code for each in sink.diagnostics] == ["E0401"]
+
+
+def test_a_zero_of_one_turn_stays_one() -> None:
+    flat, _ = run("""model M
+  coordinate Length x[3];
+  for i in 1:3 loop
+    kinetic 1/2*(1 kg)*der(x[i])^2;
+    potential (1 N)*(x[i] + x[1]*(if i == 2 then 0 else 3));
+  end for;
+end M;
+""")
+    assert flat is not None
+    sums = [
+        term.value.right for term in flat.energies if isinstance(term.value, fx.Binary) and term.kind == "potential"
+    ]
+    added = [value.right for value in sums if isinstance(value, fx.Binary)]
+    product = fx.Binary("*", fx.Variable("x[1]"), fx.Number(3.0))
+    assert added == [product, fx.ZERO, product]
+
+
 def test_every_place_of_a_fault_is_told() -> None:
     _, sink = run("model M\n  coordinate Length x;\n  kinetic (x + 1 kg)*(x + 1 kg);\nend M;\n")
     places = {(each.code, each.labels[0].span.start) for each in sink.diagnostics if each.code == "E0401"}

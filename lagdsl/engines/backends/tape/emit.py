@@ -5,6 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Final, TypeAlias
 
 import numpy as np
@@ -89,9 +90,9 @@ class Tapes:
         if self._common is None:
             self._common = one_state(program, nodes), _tables(program)
         state, tables = self._common
-        several = [list(each.functions.values()) for each in found if each is not None]
-        several += [] if written is None else [[written]]
-        results = [[result for function in own for result in results_of(function.results)] for own in several]
+        several = [[one.results for one in each.functions.values()] for each in found if each is not None]
+        several += [] if written is None else [[written.results]]
+        results = [results_of(chain.from_iterable(own)) for own in several]
         roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in results]
         lives = live_sets(nodes, roots) if roots else []
         base = beside(state, nodes, lives, roots)
@@ -169,7 +170,8 @@ def _shared(nodes: Nodes, live: Ints, roots: Ints) -> Ints:
     moving = nodes.groups & _DIRECTIONS != 0
     operands = nodes.operands[:, live[moving[live] & (nodes.op[live] >= FIRST_UNARY)]].ravel()
     wanted = distinct(len(nodes.op), operands[operands >= 0], roots)
-    return wanted[~moving[wanted]]
+    common: Ints = wanted[~moving[wanted]]
+    return common
 
 
 def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
