@@ -48,7 +48,7 @@ def acceleration_form(lowering: Lowering, flat: FlatModel, found: Dynamics, dire
         if term.kind in signs:
             rest = signs[term.kind](rest, lowering.scalar(term.value))
     apart = Apart(lowering)
-    add_lagrangian(builder.form, lowering, apart, builder.add_typed_bodies(apart, apart.of(rest)))
+    add_lagrangian(builder.form, lowering, apart, builder.add_typed_bodies(apart, apart.of(rest)), found.gradients)
     terms = found.terms
     for rate, load, drag, more in zip(directions.rates, terms.load, terms.drag, terms.by_states, strict=True):
         builder.form.add_force(rate, graph.subtract(graph.subtract(load, drag), more))

@@ -9,6 +9,8 @@ energies: velocity-dependent and non-quadratic Lagrangians take the same path.
 
 from __future__ import annotations
 
+from dataclasses import field
+
 from lagdsl.algebra.graph.differentiate import adjoints, symmetric_jacobian
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.derivation.mechanics.lagrange.lagrangian import Energies, energies
@@ -34,11 +36,13 @@ class Terms:
 
 @record(kw_only=True)
 class Dynamics:
-    """A model's energies, loads and the parts of its equations."""
+    """A model's energies, loads and the parts of its equations. `gradients` are those of Lagrangians, by coordinates
+    and velocities, that two forms of the equations ask for."""
 
     energies: Energies
     work: VirtualWork
     terms: Terms
+    gradients: dict[int, dict[int, int]] = field(default_factory=dict, compare=False, repr=False)
 
 
 def dynamics(lowering: Lowering, flat: FlatModel, directions: Directions) -> Dynamics:

@@ -69,13 +69,17 @@ class Apart:
         return Component(self._symbols.get(bare, bare), -1 if negative else 1)
 
 
-def add_lagrangian(form: AccelerationForm, lowering: Lowering, apart: Apart, lagrangian: int) -> None:
-    """`lagrangian` has the symbols of `apart`. Momenta by velocity, their rates of change at qdd = 0, dL/dq without."""
+def add_lagrangian(
+    form: AccelerationForm, lowering: Lowering, apart: Apart, lagrangian: int, gradients: dict[int, dict[int, int]]
+) -> None:
+    """`lagrangian` has the symbols of `apart`; its gradient is kept among `gradients`.
+
+    Momenta by velocity, their rates of change at qdd = 0, dL/dq without."""
     graph = form.graph
     momenta: dict[int, int] = {}
-    if lagrangian not in lowering.gradients:
-        lowering.gradients[lagrangian] = adjoints(graph, {lagrangian: graph.one}, (Group.Q, *VELOCITY))
-    for symbol, part in lowering.gradients[lagrangian].items():
+    if lagrangian not in gradients:
+        gradients[lagrangian] = adjoints(graph, {lagrangian: graph.one}, (Group.Q, *VELOCITY))
+    for symbol, part in gradients[lagrangian].items():
         value = apart.together(part)
         if graph.group(symbol) is Group.Q:
             form.add_force(graph.symbol(Group.QD, graph.b[symbol]), value)

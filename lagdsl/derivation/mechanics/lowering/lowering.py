@@ -73,8 +73,6 @@ class Lowering:
         self.rate = TimeDerivative(graph, self._rate_of_symbol, delayed=delayed)
         self.bias_rate = TimeDerivative(graph, self._rate_of_symbol, bias=True, delayed=delayed)
         self.values = Values()
-        self.gradients: dict[int, dict[int, int]] = {}
-        """Of Lagrangians, by coordinates and velocities: two forms of the equations ask for that of one."""
         self._items = _items(model)
         self._poses = Poses(graph, self.rate, release or Release())
         self.own = OwnVectors(graph, self._poses, self.rate, self._items.points, self.values.__getitem__)

@@ -71,7 +71,6 @@ class CEngine:
         self.program = program
         self._together = together and _goes_together(program)
         self._parts: dict[str, NativeModel] = {}
-        self._tapes = Tapes(program)
         self._runtime = runtime_library()
         self._shapes = result_shapes(program)
         self._memory = Memory()
@@ -323,6 +322,10 @@ class CEngine:
     def _spread(self, groups: tuple[Group, ...], arguments: tuple[ArrayLike, ...]) -> Spread:
         sizes = ((ARGUMENT_NAMES[group], None if group is Group.TIME else self.layout.size(group)) for group in groups)
         return spread(tuple(sizes), arguments)
+
+    @cached_property
+    def _tapes(self) -> Tapes:
+        return Tapes(self.program)
 
     @cached_property
     def _solved_sizes(self) -> tuple[int, ...]:

@@ -105,7 +105,7 @@ def _elaborated(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool)
 
 def _binary(ctx: Context, scope: Scope, node: nodes.Binary) -> Value:
     """Checked where its operands are of other types than they were before."""
-    known = ctx.alike.of(node)
+    known = ctx.current.alike.of(node)
     sound = known is not None
     if not sound:
         before = ctx.effects
@@ -121,7 +121,7 @@ def _binary(ctx: Context, scope: Scope, node: nodes.Binary) -> Value:
     angles.check_operator(ctx, scope, node)
     value = arithmetic.binary(ctx, scope, node, left, right)
     if sound and ctx.effects == before and not angles.stands_beside_number(node):
-        ctx.alike.keep(node, left, right, value)
+        ctx.current.alike.keep(node, left, right, value)
     return value
 
 

@@ -6,6 +6,8 @@ and units of its operands decide what is told of it, and the type of its value.
 
 from __future__ import annotations
 
+from dataclasses import field
+
 from lagdsl.foundation.record import mutable_record, record
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.flat.quantity import Variability
@@ -58,7 +60,7 @@ class Known:
 class Alike:
     """What was met last, by identity of the node."""
 
-    _known: dict[int, Known]
+    _known: dict[int, Known] = field(default_factory=dict)
 
     def of(self, node: nodes.Binary) -> Known | None:
         return self._known.get(id(node))

@@ -12,7 +12,6 @@ from lagdsl.foundation.source import SourceFile, Span
 from lagdsl.foundation.units import Dimension
 from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
 from lagdsl.language.flat import model as flat_model
-from lagdsl.language.semantics.scope.alike import Alike
 from lagdsl.language.semantics.scope.current import Current
 from lagdsl.language.semantics.scope.product import Product
 from lagdsl.language.semantics.scope.scope import Indices, Instance, Scope, Symbol
@@ -145,7 +144,6 @@ class Context:
     counts: Counts = field(default_factory=Counts)
     reports: Reports = field(default_factory=Reports)
     splits: Splits = field(default_factory=Splits)
-    alike: Alike = field(default_factory=lambda: Alike({}))
     assembly: Places | None = None
 
     @property

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import field
 
 from lagdsl.foundation.record import mutable_record
+from lagdsl.language.semantics.scope.alike import Alike
 from lagdsl.language.semantics.scope.common import Common
 from lagdsl.language.semantics.scope.scope import Indices, Scope, Symbol
 from lagdsl.language.syntax import nodes
@@ -16,7 +17,7 @@ from lagdsl.language.syntax import nodes
 class Current:
     """`active` are the symbols that get their values, `scopes` the instances whose items are elaborated, `functions`
     those that are expanded, outermost first. Relations are not located while `quiet`. `in_clause`: it is the text of a
-    `when`. `common` are texts that are spelled alike."""
+    `when`. `common` are texts that are spelled alike, `alike` operations on operands of types that were checked."""
 
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
@@ -24,6 +25,7 @@ class Current:
     quiet: bool = False
     in_clause: bool = False
     common: Common = field(default_factory=Common)
+    alike: Alike = field(default_factory=Alike)
 
     @contextmanager
     def inside(self, scope: Scope) -> Iterator[None]:
