@@ -74,7 +74,8 @@ def add_lagrangian(
 ) -> None:
     """`lagrangian` has the symbols of `apart`; its gradient is kept among `gradients`.
 
-    Momenta by velocity, their rates of change at qdd = 0, dL/dq without."""
+    Momenta by velocity, their rates of change at qdd = 0, dL/dq without.
+    """
     graph = form.graph
     momenta: dict[int, int] = {}
     if lagrangian not in gradients:
