@@ -13,6 +13,7 @@ from lagdsl.derivation.scene.looks import CLEAR, Place, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
+    anchors_of,
     constant,
     evaluator_at,
     fixed,
@@ -87,12 +88,10 @@ def _is_framed(machine: Machine, point: fx.FlatExpression) -> bool:
     """Is the point the corner of something that is drawn by lines and slides with it?"""
     own = places(machine, point)
     for drawing in machine.flat.drawings:
-        if drawing.place != "between" or own is None:
-            continue
-        found = (places(machine, end) for end in drawing.anchors if not isinstance(end, str))
-        ends = [each for each in found if each is not None]
-        if len(ends) == 2 and constant(ends[1] - ends[0]) and min(np.abs(own - each).max() for each in ends) <= HELD:
-            return True
+        if drawing.place == "between":
+            one, other = (places(machine, end) for end in anchors_of(drawing))
+            if constant(other - one) and min(np.abs(own - each).max() for each in (one, other)) <= HELD:
+                return True
     return False
 
 

@@ -25,9 +25,11 @@ from lagdsl.derivation.scene.machine import (
     places,
     points_of,
     radius_at,
+    slides,
+    slopes,
     straight,
     touching_point,
-    vector_or_none,
+    vector,
 )
 from lagdsl.derivation.scene.masses import radius_of
 from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind, Size
@@ -63,8 +65,8 @@ def grounds(machine: Machine) -> Iterator[Shape]:
         n = fixed(normal)
         still = fx.Binary("*", fx.Dot(foot, n), n)
         numbers = (("at", machine.columns.vector(foot)), ("normal", machine.columns.vector(n)))
-        at = vector_or_none(machine.positions[0], still)
-        plane = np.array([*normal, *(np.zeros(3) if at is None else at)])
+        at = vector(machine.positions[0], still)
+        plane = np.array([*normal, *np.nan_to_num(at)])
         if any(np.abs(plane - other).max() <= HELD for other in seen):
             continue
         seen.append(plane)
@@ -92,7 +94,7 @@ def _plane_of(machine: Machine, gap: fx.FlatExpression) -> tuple[Floats, fx.Flat
     if not own:
         return None
     bodies = {fx.FrameOrigin(body.frame): body for body in flat.bodies}
-    for place in points_of(machine):
+    for place in points_of(machine.flat):
         movers = movers_of(machine, place)
         normal = normal_of(flat, gap, place, movers) if own <= movers else None
         if normal is None:
@@ -153,15 +155,11 @@ def _wire(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
         if not isinstance(item, fm.Constraint) or movers_of(machine, residual) != movers or len(movers) != 2:
             continue
         for free, solved in (sorted(movers), sorted(movers)[::-1]):
-            slopes = np.array(
-                [number(evaluator_at(machine.flat, k, {solved: 1.0}), fx.Derivative(residual)) for k in range(3)]
-            )
-            if not (np.isfinite(slopes).all() and constant(slopes[:, None]) and slopes[0]) or _is_plane(
-                machine, residual, mass
-            ):
+            slope = np.array([slopes(machine.flat, residual, [solved], seed) for seed in range(3)])
+            if not (constant(slope) and slope[0]) or _is_plane(machine, residual, mass):
                 continue
             rest = substituted(residual, {solved: fx.ZERO})
-            height = fx.Binary("/", rest, fx.Number(-float(slopes[0])))
+            height = fx.Binary("/", rest, fx.Number(-float(slope[0, 0])))
             place = substituted(machine_position(machine, mass.position), {solved: height})
             return [substituted(place, {free: fx.Number(s)}) for s in _range(machine, free, movers)]
     return []
@@ -180,10 +178,8 @@ def _way(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
     if any(isinstance(each, fx.PointReference | fx.FrameOrigin | fx.FrameAxis) for each in postorder(position)):
         return []
     points = [substituted(position, {name: fx.Number(s)}) for s in _range(machine, name, movers)]
-    found = [vector_or_none(machine.positions[0], point) for point in points[::6]]
-    if any(each is None for each in found):
-        return []
-    return [] if _on_a_circle(np.array(found)) else points
+    found = np.array([vector(machine.positions[0], point) for point in points[::6]])
+    return points if np.isfinite(found).all() and not _on_a_circle(found) else []
 
 
 def _on_a_circle(places: Floats) -> bool:
@@ -235,19 +231,14 @@ def _acts_at(machine: Machine, target: fx.FlatExpression) -> tuple[ShapeKind, fx
     """The first thing that a coordinate alone shifts along a line or turns about a direction that does not change."""
     if not isinstance(target, fx.Variable):
         return None
-    for point in points_of(machine):
-        found = straight(machine, point)
-        if found is not None and found[0] == target.name:
-            return "force", point, found[1]
+    for point, name, move in slides(machine):
+        if name == target.name:
+            return "force", point, move
     for body in machine.flat.bodies:
-        axes = [fx.FrameAxis(body.frame, axis) for axis in range(3)]
-        spins = []
-        for seed in range(2):
-            at = evaluator_at(machine.flat, seed, {target.name: 1.0})
-            rows = [(vector_or_none(at, axis), vector_or_none(at, fx.Derivative(axis))) for axis in axes]
-            spins.append(0.5 * sum((np.cross(a, r) for a, r in rows if a is not None and r is not None), np.zeros(3)))
-        if abs(np.linalg.norm(spins[0]) - 1.0) <= HELD and np.abs(spins[0] - spins[1]).max() <= HELD:
-            return "torque", fx.FrameOrigin(body.frame), spins[0]
+        omega = fx.AngularVelocity(body.frame)
+        one, other = (vector(evaluator_at(machine.flat, seed, {target.name: 1.0}), omega) for seed in range(2))
+        if abs(np.linalg.norm(one) - 1.0) <= HELD and np.abs(one - other).max() <= HELD:
+            return "torque", fx.FrameOrigin(body.frame), one
     return None
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lagdsl.derivation.scene.drawings import mass_centre
-from lagdsl.derivation.scene.machine import number, vector_or_none
+from lagdsl.derivation.scene.machine import number, vector
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
@@ -29,7 +29,8 @@ class Pose:
 
     def vector(self, expression: fx.FlatExpression, moved: Mapping[str, float] | None = None) -> Floats | None:
         """Components [SI]; None where there is no finite value."""
-        return vector_or_none(self._at(moved or {}), expression)
+        found = vector(self._at(moved or {}), expression)
+        return found if np.isfinite(found).all() else None
 
     def scalar(self, expression: fx.FlatExpression) -> float:
         """In SI units; nan where there is no value."""
