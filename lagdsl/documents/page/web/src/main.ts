@@ -7,16 +7,15 @@ import { inflated, loadFont, readHead, why, type Occurrence, type Head, type Sha
 import { Influence } from "./influence.ts";
 import { keys } from "./keys.ts";
 import { Live, type Outcome } from "./live.ts";
+import { lines, Marks, overlap, terms } from "./marks.ts";
 import { geometryOf } from "./meshes.ts";
 import { recorded, together, type Motion } from "./motion.ts";
 import { SWITCHES } from "./overlay.ts";
 import { Player } from "./player.ts";
 import { runs } from "./runs.ts";
 import { shown, Sliders } from "./sliders.ts";
-import { Source } from "./source.ts";
 import { Stage } from "./stage.ts";
 import { tabs } from "./tabs.ts";
-import { overlap, Terms } from "./terms.ts";
 import { buttons, menu } from "./toolbar.ts";
 import { INTERRUPTED, type Pull } from "./orders.ts";
 
@@ -34,8 +33,8 @@ class Page {
   private readonly sliders: Sliders;
   private readonly influence: Influence;
   private readonly curves: Curves;
-  private readonly source: Source;
-  private readonly terms: Terms;
+  private readonly source: Marks; // lines of the model
+  private readonly terms: Marks; // of the equations
   private readonly cells: HTMLElement[];
   private live: Live | null = null;
   private ghosts = false;
@@ -57,15 +56,15 @@ class Page {
     this.sliders = new Sliders(head, together(motions), place("sliders"), () => this.again());
     this.influence = new Influence(head, place("sliders"));
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
-    this.source = new Source(head, place("source"), (line) => this.follow(line), (line) => this.toTerms(line));
-    this.terms = new Terms(head, place("derivation"), (spans) => this.mark(spans), (spans) => this.toSource(spans));
+    this.source = new Marks(lines(head, place("source")), (line) => this.mark(line?.spans ?? []), (line) => this.toTerms(line));
+    this.terms = new Marks(terms(head, place("derivation")), (term) => this.mark(term?.spans ?? [], { term: term?.element }), (spans) => this.toSource(spans));
     this.cells = this.values();
     const units = place("units") as HTMLInputElement;
     units.onchange = () => place("derivation").classList.toggle("units", units.checked);
     tabs(() => {
       this.tell();
       this.source.pin([]);
-      this.terms.pin(null);
+      this.terms.pin([]);
     });
     this.tools();
     this.keys();
@@ -190,25 +189,25 @@ class Page {
     this.pose(this.player.time);
   }
 
-  /** Things and lines that statements of the model stand behind. */
-  private mark(spans: Span[]): void {
-    const shapes = this.head.scene.shapes.filter(({ span }) => span !== null && spans.some((each) => overlap(each, span)));
+  /** Marks things, lines and terms that statements stand behind, or the thing or the term alone that is pointed at. */
+  private mark(spans: Span[], { shape, term, value = "" }: { shape?: Shape | undefined; term?: Element | undefined; value?: string } = {}): void {
+    const all = this.head.scene.shapes.filter(({ span }) => span !== null && overlap([span], spans));
+    const shapes = shape === undefined ? all : [shape];
     this.stage.highlight(shapes);
     this.source.mark(spans);
-    place("pointed").textContent = shapes.map((shape) => shape.name).join(", ");
-  }
-
-  private follow(line: Span | null): void {
-    this.mark(line === null ? [] : [line]);
-    this.terms.mark(line);
+    this.source.first(spans)?.scrollIntoView({ block: "nearest" });
+    this.terms.mark(term === undefined ? spans : []);
+    term?.classList.add("marked");
+    place("pointed").textContent = `${shapes.map(({ name }) => name).join(", ")}${value && `: ${value}`}`;
   }
 
   private toSource(spans: Span[]): void {
     place("source-tab").click();
     this.source.pin(spans);
+    this.source.first(spans)?.scrollIntoView({ block: "nearest" });
   }
 
-  private toTerms(line: Span): void {
+  private toTerms(line: Span[]): void {
     const term = this.terms.first(line);
     if (term === null) {
       this.say("No term of the equations comes from this line.");
@@ -376,11 +375,7 @@ class Page {
       const found = this.stage.shapeAt(event.clientX, event.clientY);
       if (found === over) return;
       over = found;
-      this.stage.highlight(found === null ? [] : [found]);
-      this.source.mark(found?.span ? [found.span] : []);
-      this.terms.mark(found?.span ?? null);
-      const value = found === null ? "" : this.stage.value(found, this.numbers);
-      place("pointed").textContent = [found?.name ?? "", value].filter((words) => words !== "").join(": ");
+      this.mark(found?.span ? [found.span] : [], found === null ? {} : { shape: found, value: this.stage.value(found, this.numbers) });
     });
   }
 }

@@ -108,7 +108,6 @@ function surface(part: Part, shape: Shape, sizes: Sizes): Pieces {
  * as thick along its axis as the length is scaled. */
 function line(part: Part, _: Shape, sizes: Sizes): Pieces {
   const object = solid(part, new BufferGeometry());
-  object.userData.bent = true;
   let known = "";
   return {
     object,
@@ -125,7 +124,8 @@ function line(part: Part, _: Shape, sizes: Sizes): Pieces {
         const first = part.numbers.points;
         points = Array.from({ length: part.count ?? 0 }, (_, k) => vector({ at: first + 3 * k }, "at", frame));
       }
-      tube(object.geometry, points, radius);
+      object.geometry.dispose();
+      object.geometry = tube(points, radius);
     },
   };
 }

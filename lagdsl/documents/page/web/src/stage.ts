@@ -344,7 +344,6 @@ export class Stage {
           const material = (object.material as MeshLambertMaterial).clone();
           Object.assign(material, { transparent: true, opacity: 0.22, depthWrite: false });
           object.material = material;
-          if (object.userData.bent) object.geometry = object.geometry.clone();
         });
         this.ghosts.add(ghost);
       }
