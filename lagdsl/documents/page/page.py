@@ -21,7 +21,7 @@ import numpy as np
 from lagdsl.documents.page.arrows import arrows
 from lagdsl.documents.page.head import Json, head_of
 from lagdsl.documents.page.packed import deflated, digits
-from lagdsl.documents.plot.picture.recording import Recording, record_motion
+from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.backends.start import start_of
 from lagdsl.engines.backends.tape.emit import tape
@@ -51,7 +51,7 @@ def page(
     Notes of the run go to `sink`, and so do the errors of a run that ends early: the page shows the motion so far.
     Raises CompilationFailed where there is no motion at all.
     """
-    made = record_motion(flat, wishes, _ROWS, sink, compilation)
+    made = recorded(prepare(flat, wishes.start, compilation), wishes, _ROWS, sink)
     x = starts_of(made)
     t, compiled = made.span[0], made.prepared.compilation
     head = head_of(made, wishes, source)

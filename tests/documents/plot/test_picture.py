@@ -18,7 +18,7 @@ from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.draw import draw, prepared
 from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.film import write_film, write_picture
-from lagdsl.documents.plot.picture.recording import record_motion, staged
+from lagdsl.documents.plot.picture.recording import prepare, recorded, staged
 from lagdsl.documents.plot.picture.shapes import parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
@@ -45,7 +45,7 @@ def flat_of(name: str) -> FlatModel:
 @cache
 def stage(name: str) -> Stage:
     flat = flat_of(name)
-    made = record_motion(flat, Wishes(), 41)
+    made = recorded(prepare(flat), Wishes(), 41)
     return staged(flat, made.scene, [made.motion])
 
 

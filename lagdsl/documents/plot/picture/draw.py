@@ -1,4 +1,4 @@
-"""A picture of a machine: faces from the back to the front, lines, names, the ground behind."""
+"""A picture of a machine: faces from the back to the front, names, the ground behind."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Ribbon, Words, lit
+from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Words, lit
 from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
 from lagdsl.documents.plot.picture.view import View, steps_of, view_of
 from lagdsl.documents.plot.sheet import escaped, sheet
@@ -85,15 +85,10 @@ def _paint(picture: Drawn, parts: Sequence[Painted], opacity: float) -> None:
     """Parts from the back to the front, face by face."""
     from matplotlib.collections import PolyCollection
 
-    seen: list[tuple[Floats, Floats, Floats]] = []
     for part in parts:
-        match part:
-            case Faces():
-                seen.append(_faces(picture.view, part))
-            case Ribbon():
-                seen.append(_ribbon(picture.view, part))
-            case Words():
-                _write(picture, part, opacity)
+        if isinstance(part, Words):
+            _write(picture, part, opacity)
+    seen = [_faces(picture.view, part) for part in parts if isinstance(part, Faces)]
     if not seen:
         return
     places, inks, depth = (np.concatenate(each) for each in zip(*seen, strict=True))
@@ -120,23 +115,6 @@ def _faces(view: View, part: Faces) -> tuple[Floats, Floats, Floats]:
     shades = np.broadcast_to(part.color, (len(places), 3)) if part.flat else lit(part.color, normals)
     inks = np.concatenate([shades, np.full((len(places), 1), part.opacity)], axis=1)
     return places[front], inks[front], depth.mean(axis=1)[front]
-
-
-def _ribbon(view: View, part: Ribbon) -> tuple[Floats, Floats, Floats]:
-    """Quadrilaterals along the line, a little longer than its pieces, so that they join."""
-    points = part.points[np.all(np.isfinite(part.points), axis=1)]
-    places, depth, scale = view.seen(points)
-    ways = np.diff(places, axis=0)
-    sizes = np.linalg.norm(ways, axis=1)
-    kept = sizes > 1e-9 * float(view.high[0] - view.low[0])
-    a, b = places[:-1][kept], places[1:][kept]
-    ways = ways[kept] / sizes[kept, None]
-    half = 0.5 * part.width * scale[:-1][kept, None]
-    side = np.stack([-ways[:, 1], ways[:, 0]], axis=1) * half
-    longer = 0.5 * half * ways if part.opacity == 1.0 else 0.0 * ways
-    quads = np.stack([a - side - longer, b - side + longer, b + side + longer, a + side - longer], axis=1)
-    inks = np.broadcast_to([*part.color, part.opacity], (len(quads), 4)).copy()
-    return quads, inks, np.asarray((depth[:-1] + depth[1:])[kept] / 2.0)
 
 
 def _write(picture: Drawn, part: Words, opacity: float) -> None:

@@ -73,13 +73,6 @@ def prepare(flat: FlatModel, starts: Collection[str] = (), compilation: Compilat
     return Prepared(own=own, living=shown, compilation=made, engine=engine_of(made.program))
 
 
-def record_motion(
-    flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None, compilation: Compilation | None = None
-) -> Recording:
-    """`recorded` of a model that is compiled for it, from its `compilation` if there is one."""
-    return recorded(prepare(flat, wishes.start, compilation), wishes, rows, sink)
-
-
 def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
     """The motion with `rows` rows of equal distance, and two at the time of an event.
 

@@ -42,8 +42,10 @@ _STANDS = frozenset({"ground", "rail", "plane ground", "plane rail"})
 
 @dataclass
 class _Sheet:
-    """Marks by their places in the plane of the picture, in meters, and what is made of these on a page; `project` takes
-    places in space to the plane. Ground lines are not counted for the extent, they reach the edges."""
+    """Marks by their places in the plane of the picture, in meters, and what is made of these on a page.
+
+    `project` takes places in space to the plane. Ground lines reach the edges: they are not counted for the extent.
+    """
 
     project: Callable[[Floats], Floats]
     size: float = 1.0
