@@ -25,7 +25,8 @@ _MOST_NAMED = 7  # curves in a legend; more runs have a scale of colors
 _MOST_DOTS = 200
 _WIDTH, _HEIGHT, _SQUARE = 8.0, 2.6, 4.6
 _TICKS = 5  # of the short axis of a path: numbers like -0.0015 stand beside each other
-_KINDS = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes", "output": "outputs"}
+_KINDS = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes", "output": "outputs",
+          "energy": ENERGY}  # fmt: skip
 
 
 @record(kw_only=True)
@@ -83,46 +84,31 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
     for column in motion.columns[1:]:
         curve = bundle.curves[column.name]
         groups.setdefault((column.kind, curve.unit), []).append(curve)
-    energy = bool(np.any(np.isfinite(motion.energy)) and np.any(motion.energy))
-    heights = [1.5, *[1.0] * (len(groups) - 1 + energy)] if groups else [1.0]
+    if energy := _energy(motion):
+        groups["energy", energy.unit] = [energy]
+    heights = [1.5, *[1.0] * (len(groups) - 1)] if groups else [1.0]
     with sheet((8.0, 1.2 + 1.75 * sum(heights)), path) as figure:
         axes = list(figure.subplots(len(heights), 1, sharex=True, squeeze=False, height_ratios=heights)[:, 0])
         for panel, ((kind, _), curves) in zip(axes, groups.items(), strict=False):
-            _draw_kind(panel, bundle, _KINDS[kind], curves)
-        if energy:
-            _draw_energy(axes[-1], motion)
-        for panel in axes:
-            mark_events(panel, bundle.events, float(motion.time[-1] - motion.time[0]))
+            _draw_over_time(panel, bundle, [curves[:_MOST_CURVES]], _KINDS[kind], len(curves) - _MOST_CURVES)
+        if energy and energy.name != ENERGY:
+            axes[-1].ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
+            small: dict[str, Any] = {"ha": "right", "va": "bottom", "color": "#666666", "fontsize": 8}
+            axes[-1].text(1.0, 1.02, f"of {motion.energy[0]:.5g} J", transform=axes[-1].transAxes, **small)
         axes[-1].set_xlabel("time [s]")
         title(axes[0], motion.model)
-        axes[-1].set_xlim(float(motion.time[0]), float(motion.time[-1]) if len(motion) > 1 else None)
         figure.align_ylabels(axes)
     return figure
 
 
-def _draw_kind(panel: Axes, bundle: Bundle, kind: str, curves: Sequence[Curve]) -> None:
-    """All curves of a kind and a unit, as far as there are colors and lines; the label of a lone one is its name."""
-    for index, curve in enumerate(curves[:_MOST_CURVES]):
-        _draw_runs(panel, bundle, bundle.time[None, :], curve, index)
-    panel.set_ylabel(_axis_label(curves) if len(curves) == 1 else kind + in_brackets(curves[0].unit, "\n"))
-    panel.margins(y=0.08)
-    panel.ticklabel_format(axis="y", useOffset=False)
-    if len(curves) > 1:
-        more = f"and {len(curves) - _MOST_CURVES} more" if len(curves) > _MOST_CURVES else None
-        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=more, fontsize=8, handlelength=1.6)
-
-
-def _draw_energy(panel: Axes, motion: Trajectory) -> None:
-    """The energy itself where it changes visibly, its drift where it is conserved."""
+def _energy(motion: Trajectory) -> Curve | None:
+    """The energy itself where it changes visibly, its drift where it is conserved; none where there is none."""
+    if not (np.any(np.isfinite(motion.energy)) and np.any(motion.energy)):
+        return None
     change = motion.energy - motion.energy[0]
-    conserved = float(np.nanmax(np.abs(change))) < 1e-4 * float(np.nanmax(np.abs(motion.energy)))
-    panel.plot(motion.time, change if conserved else motion.energy, color="#555555")
-    panel.set_ylabel("energy drift\n[J]" if conserved else "energy\n[J]")
-    panel.margins(y=0.08)
-    if conserved:
-        panel.ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
-        small: dict[str, Any] = {"ha": "right", "va": "bottom", "color": "#666666", "fontsize": 8}
-        panel.text(1.0, 1.02, f"of {motion.energy[0]:.5g} J", transform=panel.transAxes, **small)
+    if float(np.nanmax(np.abs(change))) < 1e-4 * float(np.nanmax(np.abs(motion.energy))):
+        return Curve(name="energy drift", unit="J", values=change[None, :])
+    return Curve(name=ENERGY, unit="J", values=motion.energy[None, :])
 
 
 def plot_of(
@@ -194,7 +180,11 @@ def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
     return [groups[k : k + 2] for k in range(0, len(groups), 2)]
 
 
-def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve]]) -> None:
+def _draw_over_time(
+    panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve]], kind: str = "", more: int = 0
+) -> None:
+    """Curves over time, those of a second unit on an axis of their own. Several curves of a `kind` have that as their
+    label; so many `more` of them have no color."""
     twin = panel.twinx() if len(groups) > 1 else None
     drawn = 0
     for side, group in zip((panel, twin), groups, strict=False):
@@ -202,7 +192,8 @@ def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve
         for curve in group:
             _draw_runs(side, bundle, np.broadcast_to(bundle.time, curve.values.shape), curve, drawn)
             drawn += 1
-        side.set_ylabel(_axis_label(group), color=_ink(bundle, groups, drawn - len(group)))
+        label = kind + in_brackets(group[0].unit, "\n") if kind and len(group) > 1 else _axis_label(group)
+        side.set_ylabel(label, color=_ink(bundle, groups, drawn - len(group)))
         side.margins(y=0.08)
         _calm(side, group)
         side.ticklabel_format(axis="y", useOffset=False)
@@ -210,7 +201,10 @@ def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve
         twin.grid(visible=False)
         twin.spines["right"].set_visible(True)
     lines = [line for side in (panel, twin) if side is not None for line in side.lines]
-    if drawn > 1 and bundle.variation is None:
+    if drawn > 1 and kind:
+        left_out = f"and {more} more" if more > 0 else None
+        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=left_out, fontsize=8, handlelength=1.6)
+    elif drawn > 1 and bundle.variation is None:
         panel.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, fontsize=8, handlelength=1.6)
     elif drawn > 1:
         _tell_lines(panel, groups)

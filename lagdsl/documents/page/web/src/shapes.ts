@@ -9,7 +9,7 @@ import type { Motion } from "./motion.ts";
 
 /** Numbers of the scene at one moment, and the sizes that were chosen for this machine. */
 export interface Frame {
-  numbers: Float64Array;
+  numbers: ArrayLike<number>;
   first: number; // of the scene in a row
 }
 export interface Sizes {
@@ -233,8 +233,7 @@ export function drawn(shape: Shape, sizes: Sizes): Drawn {
         sizes.boards[shape.parts[0].board ?? 0].scale(new Vector3((most || next) / next, 1, 1));
         most = next;
       }
-      const numbers = Float64Array.from({ length: motion.width }, (_, i) => motion.at(0, i));
-      for (const each of still) each.update({ numbers, first: sizes.first });
+      for (const each of still) each.update({ numbers: motion.row(0), first: sizes.first });
     },
   };
 }

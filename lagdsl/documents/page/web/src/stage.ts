@@ -118,15 +118,15 @@ export class Stage {
   private along(motion: Motion): Box3 {
     const box = new Box3();
     const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
-    for (let row = 0; row < motion.count; row += stride) this.grow(box, (column) => motion.at(row, column));
+    for (let row = 0; row < motion.count; row += stride) this.grow(box, motion.row(row));
     if (box.isEmpty()) box.set(new Vector3(), new Vector3());
     return diagonal(box) === 0 ? box.expandByScalar(0.5) : box;
   }
 
   /** A box with all places of one row in it. */
-  private grow(box: Box3, at: (column: number) => number): Box3 {
+  private grow(box: Box3, numbers: ArrayLike<number>): Box3 {
     for (const column of this.places) {
-      const point = new Vector3(at(column), at(column + 1), at(column + 2));
+      const point = new Vector3(numbers[column], numbers[column + 1], numbers[column + 2]);
       if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
     }
     return box;
@@ -159,12 +159,6 @@ export class Stage {
     if (room.containsBox(found) || diagonal(found.union(this.box)) > FARTHEST * this.sizes.length) return;
     this.hold(motion);
     this.aim();
-  }
-
-  /** The directions right, up and towards the viewer, as one first sees the machine. */
-  private facing(): Matrix4 {
-    const [right, up, back] = this.head.stage.axes.map((axis) => new Vector3(...axis));
-    return new Matrix4().makeBasis(right, up, back);
   }
 
   /** Layers that one can switch. */
@@ -206,8 +200,7 @@ export class Stage {
 
   /** The machine as it stands. */
   private machine(): Box3 {
-    const { numbers } = this.now ?? { numbers: [] };
-    return this.enclose(this.grow(new Box3(), (column) => numbers[column]));
+    return this.enclose(this.grow(new Box3(), this.now?.numbers ?? []));
   }
 
   /** The view goes with the machine. */
@@ -238,10 +231,9 @@ export class Stage {
 
   /** The box fills the picture, with a margin. */
   private fit(aspect: number): void {
-    const center = middle(this.box);
+    const [center, size] = [middle(this.box), this.box.getSize(new Vector3())];
     const { length } = this.sizes;
     if (this.camera instanceof OrthographicCamera) {
-      const size = this.box.getSize(new Vector3());
       const margin = 0.12 * Math.max(size.x, size.y, 0.2 * length);
       const half = Math.max(size.y / 2 + margin, (size.x / 2 + margin) / aspect);
       Object.assign(this.camera, { top: half, bottom: -half, right: half * aspect, left: -half * aspect });
@@ -252,15 +244,13 @@ export class Stage {
     }
     this.camera.aspect = aspect;
     if (this.moved) return;
-    const facing = this.facing();
-    const away = new Vector3(0, 0.38, 0.92).transformDirection(facing);
-    const right = new Vector3().setFromMatrixColumn(facing, 0);
-    const upward = new Vector3().crossVectors(away, right);
+    const [right, up, back] = this.head.stage.axes.map((axis) => new Vector3(...axis)); // as one first sees the machine
+    const away = back.multiplyScalar(0.92).addScaledVector(up, 0.38).normalize();
+    const upward = away.clone().cross(right);
     const slope = Math.tan((this.camera.fov * Math.PI) / 360) / 1.12;
     let far = 0;
     for (let k = 0; k < 8; ++k) {
-      const corner = new Vector3(...([0, 1, 2] as const).map((i) => ((k >> i) & 1 ? this.box.max : this.box.min).getComponent(i)));
-      corner.sub(center);
+      const corner = new Vector3(k & 1, (k >> 1) & 1, k >> 2).addScalar(-0.5).multiply(size);
       const across = Math.max(Math.abs(corner.dot(right)) / aspect, Math.abs(corner.dot(upward)));
       far = Math.max(far, corner.dot(away) + across / slope);
     }
