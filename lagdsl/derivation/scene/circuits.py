@@ -15,7 +15,7 @@ from itertools import count, pairwise
 
 import numpy as np
 
-from lagdsl.derivation.scene.looks import COLORS
+from lagdsl.derivation.scene.looks import COLORS, arrow
 from lagdsl.derivation.scene.machine import Machine, evaluator_at, fixed, movers_of, number
 from lagdsl.derivation.scene.shapes import Part, Scene, Shape, Size
 from lagdsl.derivation.scene.stage import first_sight, places_of
@@ -93,8 +93,9 @@ def circuits(machine: Machine, scene: Scene, up: Floats) -> Iterator[Shape]:
                 x, y = np.add(each.start, (-0.35, 0.5) if stands else (0.5, 0.3))
                 way = fixed(each.sense * (up if stands else right))
                 current = fx.Binary("*", fx.Derivative(fx.Variable(charge.name)), way)
-                numbers = (("at", column(x, y)), ("vector", machine.columns.vector(current)))
-                parts.append(Part(primitive="arrow", numbers=numbers, color=COLORS["arrow"], scale="current"))
+                place, along = column(x, y), machine.columns.vector(current)
+                numbers = (("at", place), ("vector", along))
+                parts.append(replace(arrow((("at", place), ("z", along)), "current"), color=COLORS["arrow"]))
         if parts:
             yield Shape(kind="branch", name=charge.name, numbers=numbers, parts=tuple(parts), spans=charge.spans)
 

@@ -27,6 +27,9 @@ HATCHED = frozenset({"ground", "rail", "wall"})
 """Forms of what a machine stands on: planar machines have a hatched line in their stead."""
 
 _ONE = Size(1.0)
+_SHOWN = Size(1.0, None, False)
+_TIP, _DIRECTION = Size(0.018), Size(0.2)
+_OF_ARROWS = (("at", "at"), ("to", "to"), ("z", "vector"))
 Numbers = Mapping[str, int]
 Place = tuple[tuple[str, int], ...]
 _ARROWS = frozenset({"force", "velocity", "acceleration", "admissible", "reaction", "constraint", "friction"})
@@ -89,17 +92,22 @@ def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
 def _marks(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
     """Arrows, ways, names and axes; nothing for what has a value alone."""
     if kind == "arrow" or (kind in _ARROWS and "at" in numbers):
-        vector = tuple((role, numbers[role]) for role in ("vector",) if role in numbers)
-        return [Part(primitive="arrow", numbers=(*place, *vector), scale="" if kind == "arrow" else "force")]
+        way = tuple((role, numbers[name]) for role, name in _OF_ARROWS if name in numbers)
+        return [arrow(way)] if kind == "arrow" else [arrow(way, "force")]
     if kind in ("torque", "reaction torque"):
         turned = (("at", numbers["at"]), ("z", numbers["vector"]))
-        return [replace(_even("turning arrow", turned, _ONE), scale="torque")]
+        return [replace(_even("turning arrow", turned, _SHOWN), scale="torque")]
     if kind in ("trace", "text"):
         return [Part(primitive="trace" if kind == "trace" else "label", numbers=place)]
     if kind == "frame":
         bars = zip(("x bar", "y bar", "z bar"), ("#dc2626", "#16a34a", "#2563eb"), strict=True)
         return [replace(_even(form, place, Size(0.1)), color=color) for form, color in bars]
     return []
+
+
+def arrow(place: Place, scale: str = "") -> Part:
+    """To another point, along a vector as long as that is large, or of one length where it has no scale."""
+    return Part(form="arrow", numbers=place, sizes=(_TIP, _TIP, _SHOWN if scale else _DIRECTION), scale=scale)
 
 
 def _even(form: str, place: Place, size: Size) -> Part:

@@ -143,7 +143,7 @@ def _forms(stage: Stage) -> dict[str, Json]:
     """Unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
     parts = [part for shape in stage.scene.shapes for part in shape.parts]
     surfaces = {part.form for part in parts if part.primitive == "surface"}
-    names = sorted({"cylinder", "cone", "turning arrow", *surfaces} - {"file"})
+    names = sorted({"arrow", "turning arrow", *surfaces} - {"file"})
     points = coil().round(4).tolist() if any(part.form == "coil" for part in parts) else []
     return {"coil": points, "forms": {name: asdict(packed_form(name, stage.around)) for name in names}}
 

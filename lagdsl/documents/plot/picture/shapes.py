@@ -7,7 +7,7 @@ from collections.abc import Collection
 import numpy as np
 
 from lagdsl.derivation.scene.forms import form
-from lagdsl.derivation.scene.posed import HEAD, NECK, SHAFT, Posed, axes_along, matrix_of, placed
+from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.shapes import Shape, ShapeKind
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.faces import Color, Faces, Painted, Words, color_of, ribbon
@@ -26,7 +26,7 @@ def parts_of(stage: Stage, row: int, without: Collection[ShapeKind] = ()) -> lis
             continue
         for part in shape.parts:
             posed = Posed(stage, part, 0 if part.still else row)
-            if posed.finite():
+            if posed.is_seen():
                 found += _painted(posed, shape, number)
     return found
 
@@ -45,8 +45,6 @@ def _painted(posed: Posed, shape: Shape, number: int) -> list[Painted]:
             return [ribbon(posed.line(), 2.0 * posed.size(part.sizes[2]), stage.turn[2], color)]
         case "trace":
             return _trace(posed, color)
-        case "arrow":
-            return _arrow(posed, color)
         case "label":
             text, at = dict(shape.texts).get("text", shape.name), posed.vector("at")
             return [Words(text=text, at=at, size=0.06 * stage.length)]
@@ -68,18 +66,3 @@ def _trace(posed: Posed, color: Color) -> list[Painted]:
     towards = posed.stage.turn[2]
     way = [ribbon(every[: posed.row + 1], width, towards, color)] if posed.row > 0 else []
     return [ribbon(every, width, towards, color, opacity=0.2), *way]
-
-
-def _arrow(posed: Posed, color: Color) -> list[Painted]:
-    at, way, length = posed.vector("at"), posed.way(), posed.stage.length
-    size = float(np.linalg.norm(way))
-    if size <= 1e-6 * length:
-        return []
-    head = min(NECK * length, 0.6 * size)
-    x, y, z = axes_along(way, None)
-    pieces = ((at, SHAFT, size - head, "cylinder"), (at + (size - head) * z, HEAD, head, "cone"))
-    bodies = [
-        placed(form(name, posed.stage.around), matrix_of(x * r * length, y * r * length, z * long, start))
-        for start, r, long, name in pieces
-    ]
-    return [Faces(corners=each, color=color) for each in bodies]

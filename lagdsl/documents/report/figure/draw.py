@@ -36,7 +36,7 @@ _LENGTHS: dict[Role, float] = {"motion": 0.3, "load": 0.26, "weight": 0.2, "coor
 _LINES: dict[str, Style] = {"rod": "rod", "rope": "thin"}
 # Kinds that this drawing tells by marks of its own, forms that lie within others or come from files, and the ground.
 _OWN_MARKS = frozenset({"frame", "force", "torque", "trace", "text", "arrow", "slider", "dial"})
-_UNSEEN = frozenset({"octants", "marks", "file"})
+_UNSEEN = frozenset({"octants", "marks", "file", "arrow"})
 _STANDS = frozenset({"ground", "rail", "plane ground", "plane rail"})
 
 
@@ -106,7 +106,7 @@ def _parts(sheet: _Sheet, stage: Stage) -> None:
             continue
         for part in shape.parts:
             posed = Posed(stage, part, 0)
-            if not posed.finite() or part.form in _UNSEEN:
+            if not posed.is_seen() or part.form in _UNSEEN:
                 continue
             if part.primitive == "line":
                 sheet.stroke(posed.line(), "thin")

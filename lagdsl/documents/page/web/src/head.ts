@@ -39,7 +39,7 @@ export interface Shape {
 
 /** A primitive: what the fields mean stands in lagdsl/derivation/scene/shapes.py. */
 export interface Part {
-  primitive: "surface" | "line" | "trace" | "arrow" | "label";
+  primitive: "surface" | "line" | "trace" | "label";
   numbers: Record<string, number>;
   color: string;
   form?: string;
