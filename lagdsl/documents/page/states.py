@@ -25,17 +25,16 @@ class States:
     events: tuple[float, ...] = ()
 
 
-def rows_of(prepared: Prepared, states: States, origin: str) -> Trajectory:
+def recording_of(prepared: Prepared, states: States, origin: str) -> Recording:
     """A row for each state; outputs that are not determined there are nan. `origin` tells where the states are from."""
     table = np.array([_row(prepared, point, states.p) for point in states.points])
     flat: FlatModel = prepared.compilation.flat
-    heads = heads_of(flat)
     zeros = np.zeros(len(table))
-    return Trajectory(
+    motion = Trajectory(
         model=flat.name,
         columns=tuple(
             Column(name=name, unit=unit, kind=kind, display=display, values=np.ascontiguousarray(values))
-            for (name, unit, kind, display), values in zip(heads, table[:, :-1].T, strict=True)
+            for (name, unit, kind, display), values in zip(heads_of(flat), table[:, :-1].T, strict=True)
         ),
         checks=np.array([table[:, -1], zeros, zeros]),
         invariants=(),
@@ -43,11 +42,6 @@ def rows_of(prepared: Prepared, states: States, origin: str) -> Trajectory:
         statistics=Statistics(solver=origin),
         events=tuple(Event(time=t, name="event", kind="recorded") for t in states.events),
     )
-
-
-def recording_of(prepared: Prepared, states: States, origin: str) -> Recording:
-    """The same as a recording."""
-    motion = rows_of(prepared, states, origin)
     span = (float(motion.time[0]), float(motion.time[-1]))
     tolerance = prepared.own.experiment.tolerance
     return Recording(prepared=prepared, p=states.p, span=span, tolerance=tolerance, motion=motion, ended="")
