@@ -66,7 +66,7 @@ def springs(machine: Machine) -> Iterator[Shape]:
 
 def _with_wall(machine: Machine, link: Shape, ends: Ends) -> tuple[Part, ...]:
     """A link with a hatched wall across it, at an end that stands still while the other one slides on a line."""
-    parts = parts_of(link.kind, dict(link.numbers), planar=False)
+    parts = tuple(parts_of(link, planar=False))
     for still, other, role in ((*ends, "at"), (*ends[::-1], "to")):
         if constant(places(machine, still)) and straight(machine, other) is not None:
             way = machine.columns.vector(fx.Binary("-", other, still))

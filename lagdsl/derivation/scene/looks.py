@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
 from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
 
@@ -14,11 +13,11 @@ COLORS: Mapping[str, str] = {
     "circle": "#475569", "arrow": "#d97706", "force": "#dc2626", "torque": "#ea580c", "trace": "#d97706",
     "slider": "#2563eb", "dial": "#2563eb", "ground": "#94a3b8", "rail": "#94a3b8", "track": "#94a3b8",
     "mesh": "#94a3b8", "velocity": "#16a34a", "acceleration": "#9333ea", "admissible": "#db2777", "reaction": "#0284c7",
-    "reaction torque": "#0e7490", "constraint": "#b45309", "friction": "#c026d3",
+    "support": "#94a3b8", "reaction torque": "#0e7490", "constraint": "#b45309", "friction": "#c026d3",
 }  # fmt: skip
-_OTHER = "#64748b"
+OTHER = "#64748b"
 _DARK = 0.72
-_RIM = "#475569"
+RIM = "#475569"
 _BOX = 0.06  # of the machine
 CLEAR = 0.55
 """Opacity of ellipsoids of inertia: bodies may stand in each other, gimbals and their rotor."""
@@ -40,28 +39,23 @@ def sized(numbers: Numbers, role: str, otherwise: float) -> Size:
     return Size(1.0, numbers[role], False) if role in numbers else Size(otherwise)
 
 
-def parts_of(
-    kind: ShapeKind, numbers: Numbers, *, texts: Mapping[str, str] = MappingProxyType({}), planar: bool
-) -> tuple[Part, ...]:
-    """Of a shape with these columns by role; besides those of `Part` the roles are the arguments of `draw`."""
-    found = _parts(kind, numbers, planar)
-    color = texts.get("color", COLORS.get(kind, _OTHER))
-    if "teeth" in texts:
-        found = [replace(part, form=f"gear of {texts['teeth']}") for part in found[:1]]
-    return tuple(replace(part, color=color) if part.color == _OTHER else part for part in found)
-
-
 def dressed(shapes: Iterable[Shape], planar: bool) -> tuple[Shape, ...]:
-    """Shapes with the parts of their kinds, where they have none of their own."""
-    found = []
-    for each in shapes:
-        parts = each.parts or parts_of(each.kind, dict(each.numbers), texts=dict(each.texts), planar=planar)
-        flat = tuple(
-            replace(part, form=f"plane {part.form}", opacity=1.0) if planar and part.form in HATCHED else part
-            for part in parts
-        )
-        found.append(replace(each, parts=flat))
-    return tuple(found)
+    """Shapes with the parts of their kinds, where they have none of their own, all in the colors of the kinds."""
+
+    def shown(part: Part, shape: Shape) -> Part:
+        color = dict(shape.texts).get("color", COLORS.get(shape.kind, OTHER)) if part.color == OTHER else part.color
+        if planar and part.form in HATCHED:
+            return replace(part, form=f"plane {part.form}", opacity=1.0, color=color)
+        return replace(part, color=color)
+
+    own = ((each, each.parts or parts_of(each, planar=planar)) for each in shapes)
+    return tuple(replace(each, parts=tuple(shown(part, each) for part in parts)) for each, parts in own)
+
+
+def parts_of(shape: Shape, *, planar: bool) -> list[Part]:
+    """Besides those of `Part` the roles of its columns are the arguments of `draw`."""
+    found, texts = _parts(shape.kind, dict(shape.numbers), planar), dict(shape.texts)
+    return [replace(found[0], form=f"gear of {texts['teeth']}")] if "teeth" in texts else found
 
 
 def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
@@ -135,7 +129,7 @@ def _spring(place: Place, radius: Size) -> Part:
 def wheel(place: Place, radius: Size, width: Size) -> list[Part]:
     """With spokes, so that one sees it turn."""
     return [
-        replace(_round("tire", place, radius, width), color=_RIM),
+        replace(_round("tire", place, radius, width), color=RIM),
         _round("spokes", place, radius, width),
     ]
 

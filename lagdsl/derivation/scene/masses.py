@@ -9,7 +9,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame, sum_of
 from lagdsl.derivation.scene.links import between
-from lagdsl.derivation.scene.looks import CLEAR, Place, ball, wheel
+from lagdsl.derivation.scene.looks import CLEAR, RIM, Place, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
@@ -18,6 +18,7 @@ from lagdsl.derivation.scene.machine import (
     evaluator_at,
     fixed,
     fixed_points,
+    in_axes,
     length_behind,
     movers_of,
     number,
@@ -59,8 +60,7 @@ def masses(machine: Machine) -> Iterator[Shape]:
         share = fx.Binary("/", item.mass, fx.Number(most if most > 0.0 else 1.0))
         bounded = fx.Function("max", (share, fx.Number(_LEAST_SHARE)))
         size = Size(BALL, columns.scalar(fx.Binary("^", bounded, fx.Number(1.0 / 3.0))))
-        parts = tuple(replace(part, color="#2563eb") for part in ball(numbers, size))
-        yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, parts=parts, spans=item.spans)
+        yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, parts=tuple(ball(numbers, size)), spans=item.spans)
 
 
 def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] | None:
@@ -103,8 +103,8 @@ def _on(machine: Machine, point: fx.FlatExpression, way: tuple[Floats, Floats]) 
 
 def _cart(machine: Machine, name: str, point: fx.FlatExpression, way: tuple[Floats, Floats], spans: Spans) -> Shape:
     numbers = _on(machine, point, way)
-    looks = (("cart", "#2563eb"), ("cart wheels", "#475569"))
-    parts = tuple(Part(form=form, numbers=numbers, sizes=(Size(CART),) * 3, color=color) for form, color in looks)
+    cart, wheels = (Part(form=form, numbers=numbers, sizes=(Size(CART),) * 3) for form in ("cart", "cart wheels"))
+    parts = (cart, replace(wheels, color=RIM))
     return Shape(kind="mass", name=name, numbers=numbers[:1], parts=parts, spans=spans)
 
 
@@ -120,7 +120,7 @@ def _rail(
     known.append(line)
     across = fx.Binary("-", point, fx.Binary("*", fx.Dot(point, fixed(along)), fixed(along)))
     numbers = _on(machine, across, way)
-    part = Part(form="rail", numbers=numbers, color="#94a3b8", still=True, offset=-CART)
+    part = Part(form="rail", numbers=numbers, still=True, offset=-CART)
     yield Shape(kind="rail", name="rail", numbers=(), parts=(part,), spans=spans)
 
 
@@ -129,10 +129,9 @@ def bodies(machine: Machine) -> Iterator[Shape]:
     for k, item in enumerate(machine.flat.bodies, 1):
         if machine.is_standing(fx.FrameOrigin(item.frame)) or machine.is_drawn(item.spans):
             continue
-        found = _Body(machine, item).parts()
-        shown = tuple(replace(part, color="#3b82f6") if part.color == "#64748b" else part for part in found)
-        numbers = (*on_frame(item.frame, machine.columns),)
-        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, parts=shown, spans=item.spans)
+        parts = tuple(_Body(machine, item).parts())
+        numbers = tuple(on_frame(item.frame, machine.columns))
+        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, parts=parts, spans=item.spans)
 
 
 def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
@@ -207,11 +206,7 @@ class _Body:
         return (("at", self.columns.vector(self._center())), ("x", x), ("z", z))
 
     def _direction(self, own: Floats) -> int:
-        frame = self.item.frame
-        for axis in range(3):
-            if own[axis] == 1.0:
-                return self.columns.vector(fx.FrameAxis(frame, axis))
-        return self.columns.vector(along_axes(frame, [fx.Number(float(part)) for part in own]))
+        return self.columns.vector(in_axes(self.item.frame, own))
 
     def _length(self, factor: float, moment: fx.FlatExpression) -> Size:
         """sqrt(factor * moment / mass)."""

@@ -10,6 +10,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.drawings import on_frame
 from lagdsl.derivation.scene.links import machine_position
+from lagdsl.derivation.scene.looks import COLORS, OTHER
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
@@ -45,10 +46,8 @@ from lagdsl.language.flat.traversal import postorder, substituted
 _MOST_FRAMES = 60
 _STEPS_OF_A_TRACK = 49
 _FARTHEST = 6.0  # of its largest start value: so far the track of a length is drawn
-_GROUND = "#94a3b8"
 _HELD_KINDS = frozenset({"rod", "rope", "spring", "damper", "body", "box", "cylinder"})
 _CLEAR_GROUND = 0.3
-_HAND = "#2563eb"
 # Middle, right, back, and the place of the name of a gauge.
 _ON_A_BOARD = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.35, 0.0))
 
@@ -74,7 +73,6 @@ def grounds(machine: Machine) -> Iterator[Shape]:
         part = Part(
             form="ground",
             numbers=(("at", machine.columns.vector(still) if rests else numbers[0][1]), ("z", numbers[1][1])),
-            color=_GROUND,
             still=rests,
             opacity=_CLEAR_GROUND,
         )
@@ -125,7 +123,7 @@ def supports(machine: Machine, shapes: Iterable[Shape], up: Floats) -> Iterator[
             if turns and constant(end) and place not in known:
                 known.add(place)
                 z = machine.columns.vector(fixed(-up if way[0] @ up < 0.0 else up))
-                part = Part(form="wall", numbers=(("at", numbers[role]), ("z", z)), color=_GROUND)
+                part = Part(form="wall", numbers=(("at", numbers[role]), ("z", z)))
                 yield Shape(kind="support", name="support", numbers=(), parts=(part,), spans=shape.spans)
 
 
@@ -144,7 +142,7 @@ def tracks(machine: Machine) -> Iterator[Shape]:
             first = machine.columns.scalars(tuple(fx.Component(p, k) for p in points for k in range(3)))
             part = Part(
                 primitive="line", form="points", numbers=(("points", first),), count=len(points),
-                sizes=(Size(1.0), Size(1.0), Size(0.006)), color=_GROUND, still=True,
+                sizes=(Size(1.0), Size(1.0), Size(0.006)), still=True,
             )  # fmt: skip
             yield Shape(kind="track", name="track", numbers=(), parts=(part,), spans=mass.spans)
 
@@ -277,7 +275,7 @@ def _gauge(columns: Columns, kind: ShapeKind, value: fx.FlatExpression, board: i
     """A rail with a carriage, a ring with a hand that stands upward at zero; the name below."""
     middle, right, back, below = (columns.vector(fixed(np.array(each))) for each in _ON_A_BOARD)
 
-    def part(form: str, sizes: tuple[float, float, float], at: int = middle, color: str = _HAND) -> Part:
+    def part(form: str, sizes: tuple[float, float, float], at: int = middle, color: str = OTHER) -> Part:
         x, y, z = (Size(size * BOARD) for size in sizes)
         return Part(
             form=form, numbers=(("at", at), ("x", right), ("z", back)), sizes=(x, y, z), color=color, board=board
@@ -285,12 +283,12 @@ def _gauge(columns: Columns, kind: ShapeKind, value: fx.FlatExpression, board: i
 
     yield Part(primitive="label", numbers=(("at", below),), board=board)
     if kind == "slider":
-        yield part("cube", (2.2, 0.06, 0.06), color=_GROUND)
+        yield part("cube", (2.2, 0.06, 0.06), color=COLORS["ground"])
         yield part("cube", (0.5, 0.5, 0.5), columns.vector(fx.Vector(value, fx.ZERO, fx.ZERO)))
         return
     sine, cosine = (fx.Function(name, (value,)) for name in ("sin", "cos"))
     tip = columns.vector(fx.Vector(fx.Unary("-", sine), cosine, fx.ZERO))
-    yield part("wire ring", (1.0, 1.0, 1.0), color=_GROUND)
+    yield part("wire ring", (1.0, 1.0, 1.0), color=COLORS["ground"])
     yield part("cylinder", (0.1, 0.1, 0.15))
     yield replace(part("beam", (0.12, 0.12, 1.0)), numbers=(("at", middle), ("to", tip)))
 
