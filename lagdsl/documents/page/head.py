@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import TypeAlias
 
-from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
 from lagdsl.derivation.scene.shapes import Part, Scene, Shape
@@ -51,6 +50,7 @@ def head_of(
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes, stage.meshes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
+    named = event_names(living.flat, engine.layout)
     for name, others in other_names(model).items():
         docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
@@ -102,7 +102,7 @@ def head_of(
             "rows": [slot.name for slot in engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
         },
-        "event_names": [_event_names(living.flat, engine.layout, kind) for kind in WHAT],
+        "event_names": [{"kind": kind, "names": list(named.get(kind, ()))} for kind in WHAT],
     }
 
 
@@ -135,10 +135,6 @@ def _named(entry: Entry) -> str:
     return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
 
 
-def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
-    return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
-
-
 def _forms(stage: Stage) -> dict[str, Json]:
     """Unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
     parts = [part for shape in stage.scene.shapes for part in shape.parts]
@@ -149,7 +145,12 @@ def _forms(stage: Stage) -> dict[str, Json]:
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
-    minimum, maximum = _bounds(item)
+    """Its bounds are those between which the value has a meaning, or is expected."""
+    minimum, maximum = item.minimum, item.maximum
+    if item.base == "Boolean":
+        minimum, maximum = 0.0, 1.0
+    elif isinstance(item, Input) and item.literals:
+        minimum, maximum = 1.0, float(len(item.literals))
     return {
         "name": item.name,
         "doc": item.doc,
@@ -161,15 +162,6 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
         "group": group,
         "angle": is_angle(item),
     }
-
-
-def _bounds(item: Parameter | Input) -> tuple[float | None, float | None]:
-    """Between which a value has a meaning, or is expected."""
-    if item.base == "Boolean":
-        return 0.0, 1.0
-    if isinstance(item, Input) and item.literals:
-        return 1.0, float(len(item.literals))
-    return item.minimum, item.maximum
 
 
 def _finite(value: float | None) -> float | None:

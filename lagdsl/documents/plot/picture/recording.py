@@ -37,10 +37,6 @@ class Prepared:
     compilation: Compilation
     engine: Engine
 
-    @property
-    def scene(self) -> Scene:
-        return self.living.scene
-
 
 @record(kw_only=True)
 class Recording:
@@ -56,7 +52,7 @@ class Recording:
 
     @property
     def scene(self) -> Scene:
-        return self.prepared.scene
+        return self.prepared.living.scene
 
 
 def prepare(flat: FlatModel, starts: Collection[str] = (), compilation: Compilation | None = None) -> Prepared:
@@ -79,7 +75,7 @@ def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = 
     Notes of the run and of meshes go to `sink`, and so do the errors of a run that ends early: the motion so far is
     the result. Raises CompilationFailed where there is no motion at all, ValueError for options that make no sense.
     """
-    meshes_of(prepared.scene.shapes, sink)
+    meshes_of(prepared.living.scene.shapes, sink)
     experiment = prepared.own.experiment
     p = parameters_of(prepared.engine.layout, wishes)
     t = experiment.start_time

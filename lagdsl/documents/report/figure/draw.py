@@ -216,7 +216,7 @@ def _loads(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
         at, force = found.vector(load.place), found.vector(load.force)
         if not (np.isfinite(at).all() and np.linalg.norm(force) > 0.0):
             continue
-        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size * load.sign
+        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size
         sheet.arrow([at, at + way], "load", load.label if len(drawn.forces) <= _MOST_LABELS else None)
 
 

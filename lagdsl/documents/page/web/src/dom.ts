@@ -19,6 +19,14 @@ export function choice(ariaLabel: string, words: readonly string[], chosen: numb
   return made;
 }
 
+/** An element of a drawing, with its attributes. */
+export function drawn(tag: string, given: Record<string, string | number>, text = ""): SVGElement {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [key, value] of Object.entries(given)) made.setAttribute(key, `${value}`);
+  made.textContent = text;
+  return made;
+}
+
 export function place(id: string): HTMLElement {
   const found = document.getElementById(id);
   if (found === null) throw new Error(`the page has no #${id}`);

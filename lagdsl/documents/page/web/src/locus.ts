@@ -1,5 +1,5 @@
 // Eigenvalues over a parameter: the root locus, and real parts and frequencies with their thresholds.
-import { make } from "./dom.ts";
+import { drawn, make } from "./dom.ts";
 import type { Locus } from "./head.ts";
 import { extremes } from "./numbers.ts";
 
@@ -34,16 +34,9 @@ export function locus(data: Locus): HTMLElement {
     ...(list.length > 0 ? [make("ul", {}, ...list)] : []));
 }
 
-function made(name: string, given: Record<string, string | number>, text = ""): SVGElement {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(given)) element.setAttribute(key, `${value}`);
-  element.textContent = text;
-  return element;
-}
-
 /** With zero upward, and to the right where that is an `axis`, too. */
 function chart(dots: Dot[], across: string, upward: string, marks: number[], axis: boolean): SVGElement {
-  const svg = made("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `${upward} over ${across}` });
+  const svg = drawn("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `${upward} over ${across}` });
   const [[x0, x1], [y0, y1]] = ([0, 1] as const).map((k) => {
     const [low, high] = extremes([...dots.map(({ at }) => at[k]), ...(axis || k === 1 ? [0] : [])]);
     const edge = high > low ? 0.06 * (high - low) : 1;
@@ -52,21 +45,19 @@ function chart(dots: Dot[], across: string, upward: string, marks: number[], axi
   const x = (value: number): number => EDGE.left + ((value - x0) / (x1 - x0)) * (WIDTH - EDGE.left - EDGE.right);
   const y = (value: number): number => HEIGHT - EDGE.bottom - ((value - y0) / (y1 - y0)) * (HEIGHT - EDGE.top - EDGE.bottom);
   const line = (from: Point, to: Point, kind: string): void =>
-    svg.append(made("line", { x1: x(from[0]), y1: y(from[1]), x2: x(to[0]), y2: y(to[1]), class: kind }));
-  const write = (text: string, given: Record<string, string | number>): void => svg.append(made("text", given, text));
+    svg.append(drawn("line", { x1: x(from[0]), y1: y(from[1]), x2: x(to[0]), y2: y(to[1]), class: kind }));
+  const write = (text: string, given: Record<string, string | number>): void => svg.append(drawn("text", given, text));
   line([x0, 0], [x1, 0], "axis");
   if (axis) line([0, y0], [0, y1], "axis");
   for (const mark of marks) line([mark, y0], [mark, y1], "threshold");
   for (const { at, part, words } of dots) {
     const fill = `hsl(${(230 - 190 * part).toFixed(0)} 70% 50%)`;
-    const circle = made("circle", { cx: x(at[0]).toFixed(2), cy: y(at[1]).toFixed(2), r: 2, fill });
-    circle.append(made("title", {}, words));
+    const circle = drawn("circle", { cx: x(at[0]).toFixed(2), cy: y(at[1]).toFixed(2), r: 2, fill });
+    circle.append(drawn("title", {}, words));
     svg.append(circle);
   }
-  write(x0.toPrecision(3), { x: x(x0), y: HEIGHT - 20, "text-anchor": "start" });
-  write(x1.toPrecision(3), { x: x(x1), y: HEIGHT - 20, "text-anchor": "end" });
-  write(y0.toPrecision(3), { x: EDGE.left - 4, y: y(y0), "text-anchor": "end" });
-  write(y1.toPrecision(3), { x: EDGE.left - 4, y: y(y1) + 9, "text-anchor": "end" });
+  for (const [end, anchor] of [[x0, "start"], [x1, "end"]] as const) write(end.toPrecision(3), { x: x(end), y: HEIGHT - 20, "text-anchor": anchor });
+  for (const [end, off] of [[y0, 0], [y1, 9]]) write(end.toPrecision(3), { x: EDGE.left - 4, y: y(end) + off, "text-anchor": "end" });
   write(across, { x: (EDGE.left + WIDTH) / 2, y: HEIGHT - 6, "text-anchor": "middle" });
   write(upward, { x: -HEIGHT / 2 + 10, y: 12, "text-anchor": "middle", transform: "rotate(-90)" });
   return svg;

@@ -39,11 +39,12 @@ function breakable(name: string): (string | HTMLElement)[] {
 
 export class Sliders {
   readonly values: Map<Quantity, number>;
+  private readonly rows: (() => void)[] = []; // each shows its value anew
 
   constructor(
     private readonly head: Head,
     private readonly motion: Motion,
-    private readonly place: HTMLElement,
+    place: HTMLElement,
     private readonly changed: () => void,
   ) {
     this.values = new Map([...head.parameters, ...head.inputs].map((quantity) => [quantity, quantity.value]));
@@ -64,22 +65,14 @@ export class Sliders {
   }
 
   /** Another value of a quantity by its name, if there is such a one. */
-  put(name: string, si: number): void {
+  put(name: string, to: (before: number) => number): void {
     const found = [...this.values.keys()].find((quantity) => quantity.name === name);
-    if (found !== undefined) this.values.set(found, si);
+    if (found !== undefined) this.values.set(found, to(this.present(found)));
     this.reread();
   }
 
-  /** The same from the value before; the motion follows. */
-  set(name: string, to: (before: number) => number): void {
-    const found = this.head.parameters.find((quantity) => quantity.name === name);
-    if (found === undefined) return;
-    this.put(name, to(this.present(found)));
-    this.changed();
-  }
-
   private reread(): void {
-    this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
+    for (const reread of this.rows) reread();
   }
 
   private present(quantity: Quantity): number {
@@ -143,7 +136,7 @@ export class Sliders {
       set(whole ? Math.round(si) : si);
     };
     field.onchange = () => set((field.valueAsNumber - quantity.display.shift) / quantity.display.scale);
-    bar.addEventListener("reread", reread);
+    this.rows.push(reread);
     const name = make("span", {}, ...breakable(title));
     const label = make("label", { title: quantity.doc ?? "" }, name, bar, field, make("span", { className: "unit", textContent: unit }), fault);
     label.ondblclick = () => set(quantity.value);

@@ -44,7 +44,7 @@ export class Stage {
   private readonly camera: OrthographicCamera | PerspectiveCamera;
   private readonly controls: OrbitControls;
   private readonly drawn: Drawn[] = [];
-  private readonly box: Box3;
+  private readonly box = new Box3();
   private readonly sizes: Sizes;
   private readonly grid: GridHelper;
   private readonly ghosts = new Group();
@@ -71,7 +71,6 @@ export class Stage {
     this.canvas = Object.assign(this.screen.canvas, { role: "img", ariaLabel: `The machine ${head.name}, moving` });
     place.append(this.canvas);
     this.places = placesOf(head);
-    this.box = this.along(whole);
     const { length, scales, coil } = head.stage;
     const boards = head.stage.boards.map((board) => new Matrix4().fromArray(board));
     this.sizes = { length, scales, coil, boards, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
@@ -90,7 +89,7 @@ export class Stage {
     this.camera.add(sun);
     this.scene.add(this.camera, this.ghosts);
     this.furnish();
-    this.surround();
+    this.hold(this.motion);
     this.grid = this.ground(length);
     this.scene.add(this.grid, this.arrows);
     if (head.planar) this.arrows.position.z = 2 * length; // in front of everything, planes of contacts too
@@ -138,7 +137,8 @@ export class Stage {
     return box;
   }
 
-  /** The picture holds all places along the motion, and all things at some of its moments. The caller poses the machine. */
+  /** The picture holds all places along the motion, all things at some of its moments, and the gauges, which are alone
+   * where nothing else moves. The caller poses the machine. */
   private hold(motion: Motion): void {
     this.box.union(this.along(motion));
     const numbers = new Float64Array(motion.width);
@@ -147,6 +147,8 @@ export class Stage {
       this.set({ motion, numbers: motion.state(t, numbers), t });
       this.enclose(this.box);
     }
+    if (this.onlyGauges) this.box.makeEmpty();
+    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
   }
 
   /** Another motion. Where it leaves the picture the picture grows, unless somebody chose a view; a machine that flies
@@ -176,7 +178,7 @@ export class Stage {
     const center = middle(this.box);
     if (this.head.planar) {
       grid.rotation.x = Math.PI / 2;
-      grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
+      grid.position.copy(center.divideScalar(step).round().multiplyScalar(step)).setZ(-0.2 * length);
       return grid;
     }
     const up = new Vector3(...this.head.stage.axes[1]);
@@ -193,8 +195,9 @@ export class Stage {
     const own = this.machine();
     const away = this.followed === null && diagonal(own) > 0 && diagonal(this.along(this.motion)) > AWAY * diagonal(own);
     this.followed = away ? middle(own) : null;
+    this.box.makeEmpty();
     if (away) this.box.copy(own.expandByScalar(0.2 * diagonal(own)));
-    else this.surround();
+    else this.hold(this.motion);
     this.aim();
   }
 
@@ -213,13 +216,6 @@ export class Stage {
     this.camera.position.add(step);
     this.controls.target.add(step);
     this.controls.update();
-  }
-
-  private surround(): void {
-    this.box.makeEmpty();
-    this.hold(this.motion);
-    if (this.onlyGauges) this.box.makeEmpty();
-    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
   }
 
   private aim(): void {
@@ -449,21 +445,9 @@ function within(numbers: Record<string, number>, point: Vector3, frame: Frame): 
   return parts;
 }
 
-function middle(box: Box3): Vector3 {
-  return box.getCenter(new Vector3());
-}
-
-function diagonal(box: Box3): number {
-  return box.getSize(new Vector3()).length();
-}
-
-function round(value: number, step: number): number {
-  return Math.round(value / step) * step;
-}
-
-function isGauge({ kind }: Shape): boolean {
-  return kind === "slider" || kind === "dial";
-}
+const middle = (box: Box3): Vector3 => box.getCenter(new Vector3());
+const diagonal = (box: Box3): number => box.getSize(new Vector3()).length();
+const isGauge = ({ kind }: Shape): boolean => kind === "slider" || kind === "dial";
 
 /** Columns at which places begin in a row: of all that moves and has an end. */
 function placesOf({ scene }: Head): number[] {
