@@ -29,6 +29,7 @@ from lagdsl.motion.signals.inputs import signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.table import event_names
 
+_NONE: Mapping[int, int] = {}
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
 
 
@@ -172,11 +173,9 @@ def occurrences(motion: Trajectory) -> list[Json]:
     return [{"time": event.time, "name": event.name, "kind": event.kind} for event in motion.events]
 
 
-def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] | None = None) -> list[Json]:
+def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] = _NONE) -> list[Json]:
     """`meshes` has the numbers of meshes by those of shapes."""
-    own: list[dict[str, Json]] = [
-        {"mesh": meshes[k]} if meshes and k in meshes else {} for k in range(len(scene.shapes))
-    ]
+    own = ({"mesh": meshes[k]} if k in meshes else {} for k in range(len(scene.shapes)))
     return [{**_shape(shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
 
 

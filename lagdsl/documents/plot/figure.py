@@ -47,6 +47,20 @@ class Variation:
     values: Floats
     words: tuple[str, ...]
 
+    @property
+    def few(self) -> bool:
+        """So that a legend can name all runs."""
+        return len(self.values) <= _MOST_NAMED
+
+    def colors(self) -> list[Any]:
+        if self.few:
+            return [COLORS[k % len(COLORS)] for k in range(len(self.values))]
+        import matplotlib as mpl
+
+        low, high = float(np.min(self.values)), float(np.max(self.values))
+        parts = (self.values - low) / (high - low) if high > low else np.full(len(self.values), 0.5)
+        return list(mpl.colormaps["viridis"](parts))
+
 
 @record(kw_only=True)
 class Bundle:
@@ -161,14 +175,11 @@ def draw_chosen(
 
 def _places(figure: Figure, panels: int, paths: int) -> tuple[list[Axes], list[Axes]]:
     """Axes of the paths, and those of the panels, which share their time."""
-    if not paths:
-        return [], list(figure.subplots(panels, 1, sharex=True, squeeze=False)[:, 0])
-    if not panels:
-        return list(figure.subplots(paths, 1, squeeze=False)[:, 0]), []
-    beside = figure.add_gridspec(1, 2, width_ratios=[_WIDTH, _SQUARE])
-    left = beside[0].subgridspec(panels, 1).subplots(sharex=True, squeeze=False)
-    right = beside[1].subgridspec(paths, 1).subplots(squeeze=False)
-    return list(right[:, 0]), list(left[:, 0])
+    counts = [(count, width) for count, width in ((panels, _WIDTH), (paths, _SQUARE)) if count]
+    beside = figure.add_gridspec(1, len(counts), width_ratios=[width for _, width in counts])
+    left = beside[0].subgridspec(panels, 1).subplots(sharex=True, squeeze=False)[:, 0] if panels else []
+    right = beside[-1].subgridspec(paths, 1).subplots(squeeze=False)[:, 0] if paths else []
+    return list(right), list(left)
 
 
 def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
@@ -206,8 +217,10 @@ def _draw_over_time(
         panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=left_out, fontsize=8, handlelength=1.6)
     elif drawn > 1 and bundle.variation is None:
         panel.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, fontsize=8, handlelength=1.6)
-    elif drawn > 1:
-        _tell_lines(panel, groups)
+    elif drawn > 1:  # dashes tell the columns, because colors tell the runs
+        names = [escaped(curve.name) for group in groups for curve in group]
+        styles = [(DARK, LINES[k % len(LINES)]) for k in range(drawn)]
+        panel.legend(handles=_handles(names, styles), loc="upper right", fontsize=8, handlelength=2.2)
     if len(bundle.time) > 1:
         panel.set_xlim(float(bundle.time[0]), float(bundle.time[-1]))
         mark_events(panel, bundle.events, float(bundle.time[-1] - bundle.time[0]))
@@ -228,39 +241,22 @@ def _ink(bundle: Bundle, groups: Sequence[Sequence[Curve]], first: int) -> str:
     return DARK
 
 
-def _tell_lines(panel: Axes, groups: Sequence[Sequence[Curve]]) -> None:
-    """Dashes tell the columns, because colors tell the runs."""
+def _handles(names: Sequence[str], styles: Sequence[tuple[Any, Any]]) -> list[Any]:
+    """Of a legend: a line for each name, by its color and its dashes."""
     from matplotlib.lines import Line2D
 
-    names = [curve.name for group in groups for curve in group]
-    handles = [
-        Line2D([], [], color=DARK, linestyle=LINES[k % len(LINES)], label=escaped(name)) for k, name in enumerate(names)
-    ]
-    panel.legend(handles=handles, loc="upper right", fontsize=8, handlelength=2.2)
+    return [Line2D([], [], color=c, linestyle=s, label=name) for name, (c, s) in zip(names, styles, strict=True)]
 
 
 def _draw_runs(panel: Axes, bundle: Bundle, x: Floats, curve: Curve, index: int) -> None:
     """Of a motion the curve in a color of its own; of a sweep a curve for each run."""
     if bundle.variation is None:
-        style = LINES[index // len(COLORS) % len(LINES)]
-        panel.plot(x[0], curve.values[0], color=COLORS[index % len(COLORS)], linestyle=style, label=escaped(curve.name))
-        return
-    runs = len(curve.values)
-    for k, color in enumerate(_run_colors(bundle)):
-        panel.plot(x[k], curve.values[k], color=color, linestyle=LINES[index % len(LINES)],
-                   linewidth=1.4 if runs <= 20 else 0.8, alpha=1.0 if runs <= 20 else 0.7)  # fmt: skip
-
-
-def _run_colors(bundle: Bundle) -> list[Any]:
-    assert bundle.variation is not None
-    values = bundle.variation.values
-    if len(values) <= _MOST_NAMED:
-        return [COLORS[k % len(COLORS)] for k in range(len(values))]
-    import matplotlib as mpl
-
-    low, high = float(np.min(values)), float(np.max(values))
-    parts = (values - low) / (high - low) if high > low else np.full(len(values), 0.5)
-    return list(mpl.colormaps["viridis"](parts))
+        colors, style = [COLORS[index % len(COLORS)]], LINES[index // len(COLORS) % len(LINES)]
+    else:
+        colors, style = bundle.variation.colors(), LINES[index % len(LINES)]
+    width, alpha = (1.4, 1.0) if len(colors) <= 20 else (0.8, 0.7)
+    for right, up, color in zip(x, curve.values, colors, strict=True):
+        panel.plot(right, up, color=color, linestyle=style, linewidth=width, alpha=alpha, label=escaped(curve.name))
 
 
 def _draw_paths(panel: Axes, bundle: Bundle, pairs: Sequence[tuple[Curve, Curve]]) -> None:
@@ -300,15 +296,13 @@ def _tell_runs(figure: Figure, panels: Sequence[Axes], bundle: Bundle) -> None:
     variation = bundle.variation
     if variation is None:
         return
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-    from matplotlib.lines import Line2D
-
-    if len(variation.values) <= _MOST_NAMED:
-        colors = _run_colors(bundle)
-        handles = [Line2D([], [], color=c, label=escaped(w)) for c, w in zip(colors, variation.words, strict=True)]
+    if variation.few:
+        handles = _handles([*map(escaped, variation.words)], [(color, "-") for color in variation.colors()])
         figure.legend(handles=handles, loc="outside right upper", fontsize=8)
         return
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
     scale = Normalize(float(np.min(variation.values)), float(np.max(variation.values)))
     label = escaped(variation.name) + in_brackets(variation.unit)
     figure.colorbar(ScalarMappable(scale, "viridis"), ax=list(panels), label=label, pad=0.02)
