@@ -175,11 +175,14 @@ def draw_chosen(
 
 def _places(figure: Figure, panels: int, paths: int) -> tuple[list[Axes], list[Axes]]:
     """Axes of the paths, and those of the panels, which share their time."""
-    counts = [(count, width) for count, width in ((panels, _WIDTH), (paths, _SQUARE)) if count]
-    beside = figure.add_gridspec(1, len(counts), width_ratios=[width for _, width in counts])
-    left = beside[0].subgridspec(panels, 1).subplots(sharex=True, squeeze=False)[:, 0] if panels else []
-    right = beside[-1].subgridspec(paths, 1).subplots(squeeze=False)[:, 0] if paths else []
-    return list(right), list(left)
+    widths = [width for count, width in ((panels, _WIDTH), (paths, _SQUARE)) if count]
+    beside = figure.add_gridspec(1, len(widths), width_ratios=widths)
+
+    def below(cell: int, count: int, *, shared: bool) -> list[Axes]:
+        found: Any = beside[cell].subgridspec(count, 1).subplots(sharex=shared, squeeze=False) if count else None
+        return list(found[:, 0]) if count else []
+
+    return below(-1, paths, shared=False), below(0, panels, shared=True)
 
 
 def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
