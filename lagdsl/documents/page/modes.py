@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.documents.page.head import Json, head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import States, recording_of
+from lagdsl.documents.page.states import recording_of
 from lagdsl.documents.plot.picture.recording import Prepared, Recording, parameters_of, prepare
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.numerics.rank import Floats
@@ -48,7 +48,7 @@ def modes_page(
     if not shown:
         why = "all eigenvalues are zero" if len(modes.eigenvalues) else "nothing in it is free to move"
         raise ValueError(f"{modes.model} has no mode that moves: {why}")
-    still = _recording(prepared, [modes.point], p)
+    still = recording_of(prepared, [replace(modes.point, p=p)], "modes")
     runs = [run for i in shown for run in _runs(prepared, modes, i, p, still)]
     head = head_of(still, Wishes(), source, [run.motion for run in runs])
     told: dict[str, Json] = {
@@ -58,10 +58,6 @@ def modes_page(
         "locus": None if variation is None else _locus(variation),
     }
     return page_of_runs(flat, {**head, **told}, runs)
-
-
-def _recording(prepared: Prepared, points: Sequence[Point], p: Floats) -> Recording:
-    return recording_of(prepared, States(points=points, p=p), "modes")
 
 
 def _told(modes: Modes, i: int) -> Json:
@@ -102,7 +98,8 @@ def _runs(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Recording)
     found = []
     for level, factor in LEVELS:
         moments = zip((factor * size * change).tolist(), times.tolist(), strict=True)
-        motion = _recording(prepared, [_moved(prepared, modes, i, c, t, p) for c, t in moments], p).motion
+        points = [_moved(prepared, modes, i, c, t, p) for c, t in moments]
+        motion = recording_of(prepared, points, "modes").motion
         found.append(Run(label=f"mode {i + 1}, {level}", motion=motion, span=(0.0, length), pace=pace))
     return found
 
@@ -131,7 +128,7 @@ def _closed(prepared: Prepared, at: Point) -> Floats:
     """Coordinates by Newton's method in the least norm: loops stay closed at finite amplitudes."""
     q = at.q.copy()
     for _ in range(6):
-        phi, jacobian = prepared.engine.evaluate("position_constraint", at.t, q, at.qd, at.z, at.u, at.w, at.p)
+        phi, jacobian = prepared.engine.evaluate("position_constraint", *replace(at, q=q).arguments)
         if not phi.size or float(np.max(np.abs(phi))) < 1e-10:
             break
         step = np.linalg.lstsq(jacobian, phi, rcond=None)[0]
@@ -144,7 +141,7 @@ def _closed(prepared: Prepared, at: Point) -> Floats:
 def _amplitude(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Recording) -> float:
     """So large that the point that moves most is seen to move; a mode that moves none is seen on its gauges."""
     probe = 1e-5
-    moved = _recording(prepared, [_moved(prepared, modes, i, probe, modes.point.t, p)], p)
+    moved = recording_of(prepared, [_moved(prepared, modes, i, probe, modes.point.t, p)], "modes")
     ahead, before = (_places(each) for each in (moved, still))
     length = float(np.linalg.norm(np.ptp(before, axis=0))) if len(before) else 0.0
     fastest = float(np.max(np.linalg.norm(ahead - before, axis=1), initial=0.0)) / probe

@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.documents.page.head import head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import States, recording_of
+from lagdsl.documents.page.states import recording_of
 from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
@@ -51,7 +51,7 @@ def results_page(
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))
         times, values = times[kept], {name: each[kept] for name, each in values.items()}
     p = parameters_of(prepared.engine.layout, Wishes(parameters=wishes.parameters))
-    made = recording_of(prepared, States(points=_points(prepared, times, values, p), p=p, events=_twice(times)), "file")
+    made = recording_of(prepared, _points(prepared, times, values, p), "file", _twice(times))
     motion = _as_recorded(prepared, made.motion, values)
     said = f"Recorded in {path.name}; nothing is integrated here."
     if flat.inputs:

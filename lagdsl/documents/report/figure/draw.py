@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 
+from lagdsl.derivation.scene.forms import triangles
 from lagdsl.derivation.scene.living import scene_of
 from lagdsl.derivation.scene.machine import gravity_of, up_of
-from lagdsl.derivation.scene.posed import Posed
+from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
 from lagdsl.documents.report.figure.labels import labelled
 from lagdsl.documents.report.figure.lettering import width
-from lagdsl.documents.report.figure.outlines import outlines
 from lagdsl.documents.report.figure.pose import Pose, pose
 from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Place, Role, Stroke, Style
 from lagdsl.documents.report.names import indexed
+from lagdsl.foundation.numerics.connected_blocks import connected_blocks
+from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -120,6 +123,26 @@ def _parts(sheet: _Sheet, stage: Stage) -> None:
             else:
                 for points in outlines(part.form, posed.matrix(), sheet.project):
                     sheet.outline(points, "outline")
+
+
+def outlines(form: str, matrix: Floats, project: Callable[[Floats], Floats]) -> list[list[Floats]]:
+    """Closed lines around a unit form that `matrix` (4, 4) places, seen by `project`."""
+    found = []
+    for piece in _pieces(form):
+        seen = np.array([project(point) for point in placed(piece, matrix)])
+        rim = hull(seen)
+        found.append([seen[k] for k in (*rim, rim[0])])
+    return found
+
+
+@cache
+def _pieces(form: str) -> list[Floats]:
+    """Points (n, 3) of the connected parts of a form."""
+    mesh = triangles(form)
+    touched = np.zeros((len(mesh.corners), len(mesh.points)), dtype=bool)
+    np.put_along_axis(touched, mesh.corners, True, axis=1)
+    labels = connected_blocks(touched).column_labels
+    return [mesh.points[labels == k] for k in np.unique(labels)]
 
 
 def _masses(sheet: _Sheet, found: Pose) -> None:

@@ -1,6 +1,6 @@
 // The living page: reads what it was told, shows it, and integrates anew when a slider moves.
 import { Curves } from "./curves.ts";
-import { choice, make, place } from "./dom.ts";
+import { buttons, choice, make, menu, place } from "./dom.ts";
 import { film, framed, save, table } from "./files.ts";
 import { grab } from "./grab.ts";
 import { inflated, loadFont, readHead, why, type Occurrence, type Head, type Shape, type Span } from "./head.ts";
@@ -16,7 +16,6 @@ import { runs } from "./runs.ts";
 import { shown, Sliders } from "./sliders.ts";
 import { Stage } from "./stage.ts";
 import { tabs } from "./tabs.ts";
-import { buttons, menu } from "./toolbar.ts";
 import { INTERRUPTED, type Pull } from "./orders.ts";
 
 const ROWS = 601;
