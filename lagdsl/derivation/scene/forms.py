@@ -215,9 +215,6 @@ _MAKERS: dict[str, Callable[[int], Floats]] = {
     "plane ground": lambda _: _hatched(0.014, _GROUND),
     "plane rail": lambda _: _hatched(0.01, _GROUND),
     "plane wall": lambda _: _hatched(0.01, 0.16),
-    "x bar": lambda _: block((0.0, 1.0), (-0.03, 0.03), (-0.03, 0.03)),
-    "y bar": lambda _: block((-0.03, 0.03), (0.0, 1.0), (-0.03, 0.03)),
-    "z bar": lambda _: block((-0.03, 0.03), (-0.03, 0.03), (0.0, 1.0)),
 }
 
 

@@ -28,6 +28,7 @@ HATCHED = frozenset({"ground", "rail", "wall"})
 _ONE = Size(1.0)
 _SHOWN = Size(1.0, None, False)
 _TIP, _DIRECTION = Size(0.018), Size(0.2)
+_AXIS = Size(0.006), Size(0.1)
 _OF_ARROWS = (("at", "at"), ("to", "to"), ("z", "vector"))
 Numbers = Mapping[str, int]
 Place = tuple[tuple[str, int], ...]
@@ -65,7 +66,9 @@ def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
         case "rod" | "rope":
             return [_round("cylinder", place, sized(numbers, "radius", 0.007 if kind == "rod" else 0.004))]
         case "spring":
-            return [_spring(place, sized(numbers, "radius", 0.026))]
+            radius = sized(numbers, "radius", 0.026)
+            wire = replace(radius, factor=0.16 * radius.factor)
+            return [Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))]
         case "damper":
             return [_round("cylinder", place, Size(0.005)), _round("piston", place, Size(0.018))]
         case "box":
@@ -94,8 +97,9 @@ def _marks(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
     if kind in ("trace", "text"):
         return [Part(primitive="trace" if kind == "trace" else "label", numbers=place)]
     if kind == "frame":
-        bars = zip(("x bar", "y bar", "z bar"), ("#dc2626", "#16a34a", "#2563eb"), strict=True)
-        return [replace(_even(form, place, Size(0.1)), color=color) for form, color in bars]
+        axes = (("x", "#dc2626"), ("y", "#16a34a"), ("z", "#2563eb"))
+        bars = ((_round("beam", (("at", numbers["at"]), ("z", numbers[axis])), *_AXIS), color) for axis, color in axes)
+        return [replace(bar, color=color) for bar, color in bars]
     return []
 
 
@@ -115,23 +119,13 @@ def _round(form: str, place: Place, radius: Size, length: Size = _ONE) -> Part:
 def ball(place: Place, radius: Size) -> list[Part]:
     """Light and dark octants, as one marks a mass center: one sees it turn."""
     across = replace(radius, factor=-radius.factor)
-    return [
-        _even("octants", place, radius),
-        Part(form="octants", numbers=place, sizes=(across, radius, radius), shade=_DARK),
-    ]
-
-
-def _spring(place: Place, radius: Size) -> Part:
-    wire = replace(radius, factor=0.16 * radius.factor)
-    return Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))
+    light = _even("octants", place, radius)
+    return [light, replace(light, sizes=(across, radius, radius), shade=_DARK)]
 
 
 def wheel(place: Place, radius: Size, width: Size) -> list[Part]:
     """With spokes, so that one sees it turn."""
-    return [
-        replace(_round("tire", place, radius, width), color=RIM),
-        _round("spokes", place, radius, width),
-    ]
+    return [replace(_round("tire", place, radius, width), color=RIM), _round("spokes", place, radius, width)]
 
 
 def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
@@ -142,8 +136,7 @@ def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
     if "to" in numbers:
         return Part(form="beam", numbers=place, sizes=(across, up, Size(1.0)))
     if "size" in numbers:
-        sizes = tuple(Size(1.0, numbers["size"] + axis, False) for axis in range(3))
-        return Part(form="cube", numbers=place, sizes=(sizes[0], sizes[1], sizes[2]))
+        return Part(form="cube", numbers=place, sizes=_three(numbers["size"]))
     return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", _BOX), across, up))
 
 
@@ -163,5 +156,9 @@ def _turned(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
 def _scaled(place: Place, numbers: Numbers) -> Part:
     """Triangles of a file, in its units."""
     one = Size(1.0, numbers.get("scale"), False)
-    own = [Size(1.0, numbers["scales"] + axis, False) for axis in range(3)] if "scales" in numbers else [one] * 3
-    return Part(form="file", numbers=place, sizes=(own[0], own[1], own[2]))
+    return Part(form="file", numbers=place, sizes=_three(numbers["scales"]) if "scales" in numbers else (one, one, one))
+
+
+def _three(first: int) -> tuple[Size, Size, Size]:
+    """The lengths in three columns."""
+    return Size(1.0, first, False), Size(1.0, first + 1, False), Size(1.0, first + 2, False)
