@@ -132,32 +132,25 @@ def _ruled(picture: Drawn) -> None:
 
     stage, view = picture.stage, picture.view
     step = 10.0 ** np.floor(np.log10(stage.length / 2.0))
-    if stage.scene.planar:
-        center = view.center[:2]
-        low, high = view.low + center, view.high + center
-        ticks = [np.arange(np.ceil(a / step), np.floor(b / step) + 1) * step for a, b in zip(low, high, strict=True)]
-        lines = [[[x, low[1]], [x, high[1]]] for x in ticks[0]] + [[[low[0], y], [high[0], y]] for y in ticks[1]]
-        places = np.array(lines).reshape(-1, 2, 2) - center
-    else:
-        right, up, back = stage.axes
-        lowest = min(float(up @ stage.low), float(up @ stage.high)) - float(up @ stage.center) - 0.02 * stage.length
-        moved = (np.round((view.center - stage.center) @ axis / step) * step * axis for axis in (right, back))
-        middle, count = stage.center + lowest * up + sum(moved), int(np.ceil(1.5 * stage.length / step))
-        ends, reached = np.arange(-count, count + 1) * step, count * step
-        lines = [
-            [middle + s * axis - reached * other, middle + s * axis + reached * other]
-            for axis, other in ((right, back), (back, right)) for s in ends
-        ]  # fmt: skip
-        places = _clipped(view, np.array(lines))
+    right, up, back = stage.axes
+    lowest = min(float(up @ stage.low), float(up @ stage.high)) - 0.02 * stage.length
+    a, b, level = (right, up, 0.0 * up) if stage.scene.planar else (right, back, lowest * up)
+    middle = level + sum(np.round(view.center @ axis / step) * step * axis for axis in (a, b))
+    count = int(np.ceil(1.5 * stage.length / step))
+    marks, reached = np.arange(-count, count + 1)[:, None] * step, count * step
+    pairs = ((middle + marks * i, reached * j) for i, j in ((a, b), (b, a)))
+    lines = [np.stack([mark - way, mark + way], axis=1) for mark, way in pairs]
+    places = _clipped(view, np.concatenate(lines))
     picture.axes.add_collection(LineCollection(list(places), colors=GRID, linewidths=0.7, zorder=0.5), autolim=False)
 
 
 def _clipped(view: View, lines: Floats) -> Floats:
     """Of lines (n, 2, 3) in perspective the pieces before the viewer."""
+    if view.eye is None:
+        return view.seen(lines)[0]
     parts = np.linspace(0.0, 1.0, 33)[:, None, None]
     points = lines[None, :, 0] + parts * (lines[None, :, 1] - lines[None, :, 0])
     places, depth, _ = view.seen(points)
-    assert view.eye is not None
     ahead = depth < 0.9 * float(np.linalg.norm(view.eye - view.center))
     pieces = np.stack([places[:-1], places[1:]], axis=2)
     return np.asarray(pieces[ahead[:-1] & ahead[1:]])
