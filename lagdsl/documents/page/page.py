@@ -24,6 +24,7 @@ from lagdsl.documents.page.head import Json, head_of, shapes_of
 from lagdsl.documents.page.packed import deflated, digits
 from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.documents.report.notation import GREEK
 from lagdsl.engines.backends.start import start_of
 from lagdsl.engines.backends.tape.emit import tape
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
@@ -66,7 +67,7 @@ def page(
         observed = compile_observed(compiled, arrows.flat)
         arrow_tape = tape(observed.program, start_of(observed.flat, t, x))
         if len(zlib.compress(arrow_tape)) <= _LARGEST:
-            pointed = {"first": first, "shapes": shapes_of(arrows.scene, source)}
+            pointed = {"first": first, "shapes": shapes_of(arrows.scene, source), "letters": GREEK}
     return html_of(
         flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape if pointed else b"", compiled
     )

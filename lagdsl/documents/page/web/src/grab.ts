@@ -26,7 +26,7 @@ export function grab(head: Head, stage: Stage, place: HTMLElement, hands: Hands)
   let held: Held | null = null;
   let [x, y] = [0, 0];
   let off: Vector3 | null = null; // from the place that is held to the pointer; null: nothing has moved yet
-  const starts = startsOf(head, stage.length);
+  const starts = startsOf(head, head.stage.length);
   // Before the camera sees it.
   place.addEventListener("pointerdown", (event) => {
     held = hands.ready() && event.button === 0 && starts.length > 0 && event.target === stage.canvas ? stage.held(event.clientX, event.clientY) : null;

@@ -330,7 +330,7 @@ class Page {
   /** The whole motion, frame by frame. */
   private async filmed(): Promise<void> {
     this.player.pause();
-    this.stage.filming(true);
+    this.stage.screen.filming(true);
     const first = this.motion.at(0, 0);
     const length = this.motion.last - first;
     const made = await framed(this.stage.canvas, Math.min(Math.max(length, 3), 10), (part) => {
@@ -339,7 +339,7 @@ class Page {
     });
     save(made, `${this.head.name}.gif`);
     this.say("The film is saved.");
-    this.stage.filming(false);
+    this.stage.screen.filming(false);
     this.pose(this.player.time);
   }
 

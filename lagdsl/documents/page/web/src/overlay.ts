@@ -2,7 +2,7 @@
 import type { Group } from "three";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { extremes, greek } from "./numbers.ts";
+import { extremes } from "./numbers.ts";
 import { drawn as made, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 export type Vectors = NonNullable<Head["vectors"]>;
@@ -108,13 +108,18 @@ export class Overlay {
       if (shape === undefined || !this.shown.has(switchOf(shape)) || own.scales.force === 0) continue;
       const unit = unitOf(shape) === "1" ? "" : ` ${unitOf(shape)}`;
       const size = `${sizeText((LONGEST * this.sizes.length) / own.scales.force)}${unit}`;
-      if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${greek(name)}: ${size}`));
+      if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${this.greek(name)}: ${size}`));
       else lines.push(`${shape.kind}: longest ${size}`);
     }
     if (moving.length > 0) lines.unshift(`longest ${moving.join(", ")}`);
     if (!this.shown.has("friction") || this.motion === null) return lines;
     const told = [...new Set(this.frictions.map((shape) => `${shape.name}: ${this.rubs(shape)}`))];
     return [...lines, ...told.slice(0, MOST_TOLD), ...(told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [])];
+  }
+
+  /** A name whose words of Greek letters are these letters. */
+  private greek(name: string): string {
+    return name.replace(/[a-z]+/g, (word) => this.vectors.letters[word] ?? word);
   }
 
   /** Shown coordinates whose admissible motions have this unit. */

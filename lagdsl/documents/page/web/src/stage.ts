@@ -39,7 +39,7 @@ export interface Held {
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
-  private readonly screen: Screen;
+  readonly screen: Screen;
   private readonly scene = new Scene();
   private readonly camera: OrthographicCamera | PerspectiveCamera;
   private readonly controls: OrbitControls;
@@ -354,10 +354,6 @@ export class Stage {
     }));
   }
 
-  filming(on: boolean): void {
-    this.screen.filming(on);
-  }
-
   /** The ray through a place of the window. */
   private ray(x: number, y: number): Raycaster {
     const bounds = this.canvas.getBoundingClientRect();
@@ -386,11 +382,6 @@ export class Stage {
     const [right, up, back] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(this.camera.matrixWorld, k));
     const plane = new Plane().setFromNormalAndCoplanarPoint(back, point);
     return { place: this.ray(x, y).ray.intersectPlane(plane, new Vector3()) ?? point, across: [right, up] };
-  }
-
-  /** Of the machine [m]. */
-  get length(): number {
-    return this.sizes.length;
   }
 
   /** The machine and its arrows. */
