@@ -72,10 +72,6 @@ class Page {
       ready: () => this.live !== null,
       begin: () => this.startHere(),
       pull: (pull) => this.again(pull),
-      turn: (name, to) => {
-        this.sliders.put(name, to);
-        this.again();
-      },
     });
     if (location.hash === "#present") this.present(true);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.stage.theme());
@@ -152,7 +148,7 @@ class Page {
   private startHere(): void {
     this.player.pause();
     this.head.columns.forEach(({ name, kind }, i) => {
-      if (kind === "coordinate") this.sliders.put(`${name}.start`, () => this.numbers[i]);
+      if (kind === "coordinate") this.sliders.put(`${name}.start`, this.numbers[i]);
     });
     this.player.go(-Infinity);
   }

@@ -99,9 +99,9 @@ export class Sliders {
   }
 
   /** Another value of a quantity by its name, if there is such a one. */
-  put(name: string, to: (before: number) => number): void {
+  put(name: string, si: number): void {
     const found = [...this.values.keys()].find((quantity) => quantity.name === name);
-    if (found !== undefined) this.values.set(found, to(this.present(found)));
+    if (found !== undefined) this.values.set(found, si);
     this.reread();
   }
 

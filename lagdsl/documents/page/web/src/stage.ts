@@ -30,11 +30,11 @@ interface Moment {
   t: number;
 }
 
-/** A place of a thing, as a sum of vectors of a row, and where it is now. */
+/** A place of a thing, as a sum of vectors of a row, in the axes of a gauge or in the world, and where it is now. */
 export interface Held {
-  shape: Shape;
   parts: Pull["parts"];
   point: Vector3;
+  axes: Matrix4;
 }
 
 export class Stage {
@@ -369,12 +369,16 @@ export class Stage {
     const hit = this.hitAt(x, y);
     const shape = hit?.object.userData.shape as Shape | undefined;
     if (hit === undefined || shape === undefined || this.now === null) return null;
-    if (shape.kind === "dial") return { shape, parts: [], point: new Vector3().setFromMatrixPosition(this.sizes.boards[shape.parts[0].board ?? 0]) };
+    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
+    if (shape.kind === "dial") {
+      const hand = shape.parts[shape.parts.length - 1];
+      const [axes, parts] = [this.sizes.boards[hand.board ?? 0], [[frame.first + hand.numbers.to, 1]] as Pull["parts"]];
+      return { parts, axes, point: new Vector3(...placeIn(frame.numbers, parts)).applyMatrix4(axes) };
+    }
     const part = hit.object.userData.part as Part | undefined;
     if (part === undefined || part.still || !("at" in part.numbers) || !(SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
-    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
     const parts = within(part.numbers, hit.point, frame);
-    return { shape, parts, point: new Vector3(...placeIn(frame.numbers, parts)) };
+    return { parts, axes: new Matrix4(), point: new Vector3(...placeIn(frame.numbers, parts)) };
   }
 
   /** The place under the pointer in the plane through a point that faces the viewer, and the directions right and up in it. */
