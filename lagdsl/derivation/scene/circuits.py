@@ -160,10 +160,8 @@ def _lay(edges: list[_Edge], x: float, found: list[_Stroke]) -> float:
         standing = [each for each in edges if set(each.ends) == {node, rail}]
         for each in standing:
             found.append(_Stroke(each.charge, each.symbol, (x, 0.0), (x, 1.0), 1.0 if each.ends[0] == rail else -1.0))
-            if x > left[node]:
-                found.append(_Stroke(each.charge, "", (right[node], 1.0), (x, 1.0)))
-            if x > first:
-                found.append(_Stroke(each.charge, "", (first, 0.0), (x, 0.0)))
+            found += _wires(each.charge, (right[node], 1.0), (x, 1.0))
+            found += _wires(each.charge, (first, 0.0), (x, 0.0))
             right[node], x = x, x + 1.0
         x = max(x, left[node] + 1.0)
     if rail == _EARTH:
@@ -174,17 +172,18 @@ def _lay(edges: list[_Edge], x: float, found: list[_Stroke]) -> float:
         y = 1.0
         if order.index(b) - order.index(a) > 1 or (a, b) in taken:
             y = above = above + _ROW
-            found += [_Stroke(each.charge, "", (end, 1.0), (end, y)) for end in (right[a], left[b])]
         taken.add((a, b))
         begin = (right[a] + left[b] - 1.0) / 2.0
         sense = 1.0 if each.ends[0] == a else -1.0
         found.append(_Stroke(each.charge, each.symbol, (begin, y), (begin + 1.0, y), sense))
-        if begin > right[a]:
-            found += [
-                _Stroke(each.charge, "", (right[a], y), (begin, y)),
-                _Stroke(each.charge, "", (begin + 1.0, y), (left[b], y)),
-            ]
+        found += _wires(each.charge, (right[a], 1.0), (right[a], y), (begin, y))
+        found += _wires(each.charge, (begin + 1.0, y), (left[b], y), (left[b], 1.0))
     return x
+
+
+def _wires(charge: str, *places: Cells) -> list[_Stroke]:
+    """From each place to the next one, if it is another."""
+    return [_Stroke(charge, "", a, b) for a, b in pairwise(places) if a != b]
 
 
 def _along(edges: list[_Edge], rail: int) -> list[int]:
