@@ -11,7 +11,7 @@ from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.shapes import Shape, ShapeKind
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.faces import Color, Faces, Painted, Words, color_of, ribbon
-from lagdsl.foundation.meshes.triangles import thinned
+from lagdsl.foundation.meshes.triangles import Triangles, thinned
 from lagdsl.foundation.numerics.rank import Floats
 
 GAUGES: tuple[ShapeKind, ...] = ("slider", "dial")
@@ -35,9 +35,9 @@ def _painted(posed: Posed, shape: Shape, number: int) -> list[Painted]:
     part, color, stage = posed.part, color_of(posed.part), posed.stage
     match part.primitive:
         case "surface":
-            unit = _corners(stage, number) if part.form == "file" else form(part.form, stage.around)
-            if unit is None:
+            if part.form == "file" and number not in stage.meshes:
                 return []
+            unit = _corners(stage.meshes[number]) if part.form == "file" else form(part.form, stage.around)
             matrix = posed.matrix()
             turned = unit[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0.0 else unit
             return [Faces(corners=placed(turned, matrix), color=color, opacity=part.opacity)]
@@ -50,11 +50,8 @@ def _painted(posed: Posed, shape: Shape, number: int) -> list[Painted]:
             return [Words(text=text, at=at, size=0.06 * stage.length)]
 
 
-def _corners(stage: Stage, number: int) -> Floats | None:
+def _corners(mesh: Triangles) -> Floats:
     """Triangles of a file as quadrilaterals (n, 4, 3) whose last corner is the third one again."""
-    mesh = stage.meshes.get(number)
-    if mesh is None:
-        return None
     few = thinned(mesh, _FEW)
     return np.asarray(few.points[few.corners[:, (0, 1, 2, 2)]])
 
