@@ -23,7 +23,7 @@ from fmi.texts import export_text
 import lagdsl
 from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.faces import Faces
-from lagdsl.documents.plot.picture.recording import record_motion
+from lagdsl.documents.plot.picture.recording import prepare, recorded
 from lagdsl.documents.plot.picture.shapes import parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.runtime.engines.engine import EngineName
@@ -796,7 +796,7 @@ def test_a_bar_is_drawn_in_its_length() -> None:
         sink,
     )
     assert flat is not None, sink.diagnostics
-    made = record_motion(flat, Wishes(), 5)
+    made = recorded(prepare(flat), Wishes(), 5)
     columns = made.motion.columns[-len(made.scene.columns) :]
     rows = np.array([column.values for column in columns]).T.reshape(len(made.motion), -1)
     parts = parts_of(stage_of(made.scene, rows, (0, 1, 0)), 0)

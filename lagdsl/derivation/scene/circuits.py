@@ -15,7 +15,7 @@ from itertools import count, pairwise
 
 import numpy as np
 
-from lagdsl.derivation.scene.looks import COLORS
+from lagdsl.derivation.scene.looks import COLORS, arrow
 from lagdsl.derivation.scene.machine import Machine, evaluator_at, fixed, movers_of, number
 from lagdsl.derivation.scene.shapes import Part, Scene, Shape, Size
 from lagdsl.derivation.scene.stage import first_sight, places_of
@@ -93,8 +93,9 @@ def circuits(machine: Machine, scene: Scene, up: Floats) -> Iterator[Shape]:
                 x, y = np.add(each.start, (-0.35, 0.5) if stands else (0.5, 0.3))
                 way = fixed(each.sense * (up if stands else right))
                 current = fx.Binary("*", fx.Derivative(fx.Variable(charge.name)), way)
-                numbers = (("at", column(x, y)), ("vector", machine.columns.vector(current)))
-                parts.append(Part(primitive="arrow", numbers=numbers, color=COLORS["arrow"], scale="current"))
+                place, along = column(x, y), machine.columns.vector(current)
+                numbers = (("at", place), ("vector", along))
+                parts.append(replace(arrow((("at", place), ("z", along)), "current"), color=COLORS["arrow"]))
         if parts:
             yield Shape(kind="branch", name=charge.name, numbers=numbers, parts=tuple(parts), spans=charge.spans)
 
@@ -159,10 +160,8 @@ def _lay(edges: list[_Edge], x: float, found: list[_Stroke]) -> float:
         standing = [each for each in edges if set(each.ends) == {node, rail}]
         for each in standing:
             found.append(_Stroke(each.charge, each.symbol, (x, 0.0), (x, 1.0), 1.0 if each.ends[0] == rail else -1.0))
-            if x > left[node]:
-                found.append(_Stroke(each.charge, "", (right[node], 1.0), (x, 1.0)))
-            if x > first:
-                found.append(_Stroke(each.charge, "", (first, 0.0), (x, 0.0)))
+            found += _wires(each.charge, (right[node], 1.0), (x, 1.0))
+            found += _wires(each.charge, (first, 0.0), (x, 0.0))
             right[node], x = x, x + 1.0
         x = max(x, left[node] + 1.0)
     if rail == _EARTH:
@@ -173,17 +172,18 @@ def _lay(edges: list[_Edge], x: float, found: list[_Stroke]) -> float:
         y = 1.0
         if order.index(b) - order.index(a) > 1 or (a, b) in taken:
             y = above = above + _ROW
-            found += [_Stroke(each.charge, "", (end, 1.0), (end, y)) for end in (right[a], left[b])]
         taken.add((a, b))
         begin = (right[a] + left[b] - 1.0) / 2.0
         sense = 1.0 if each.ends[0] == a else -1.0
         found.append(_Stroke(each.charge, each.symbol, (begin, y), (begin + 1.0, y), sense))
-        if begin > right[a]:
-            found += [
-                _Stroke(each.charge, "", (right[a], y), (begin, y)),
-                _Stroke(each.charge, "", (begin + 1.0, y), (left[b], y)),
-            ]
+        found += _wires(each.charge, (right[a], 1.0), (right[a], y), (begin, y))
+        found += _wires(each.charge, (begin + 1.0, y), (left[b], y), (left[b], 1.0))
     return x
+
+
+def _wires(charge: str, *places: Cells) -> list[_Stroke]:
+    """From each place to the next one, if it is another."""
+    return [_Stroke(charge, "", a, b) for a, b in pairwise(places) if a != b]
 
 
 def _along(edges: list[_Edge], rail: int) -> list[int]:

@@ -66,7 +66,8 @@ def _in_world(axis: fx.FlatExpression, anchor: fx.FlatExpression | str) -> fx.Fl
 
 def along_axes(frame: str, parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression:
     """The vector with these components along the axes of a frame; those that are 0 are left out."""
-    terms = [fx.Binary("*", part, fx.FrameAxis(frame, axis)) for axis, part in enumerate(parts) if part != fx.ZERO]
+    pairs = [(part, fx.FrameAxis(frame, axis)) for axis, part in enumerate(parts) if part != fx.ZERO]
+    terms = [axis if part == fx.ONE else fx.Binary("*", part, axis) for part, axis in pairs]
     return sum_of(terms) if terms else fx.ZERO_VECTOR
 
 

@@ -22,6 +22,7 @@ FINE, COARSE = 24, 12
 _TUBE = 7
 _TURNS, _STEPS_OF_A_TURN = 8, 12
 _SPOKES = 5
+_TIP = 0.22  # of an arrow
 _PEN = 0.02  # half the width of a stroke of a symbol
 _GROUND = 1.3  # of the machine: the length of what it stands on
 
@@ -202,6 +203,9 @@ _MAKERS: dict[str, Callable[[int], Floats]] = {
     "tire": lambda around: revolved([(0.82, -0.5), (1.0, -0.5), (1.0, 0.5), (0.82, 0.5)], around),
     "spokes": _spokes,
     "marks": lambda _: _marks(),
+    "arrow": lambda around: np.concatenate(
+        [prism(_circle(around) / 3.0, 0.0, 1.0 - _TIP), prism(_circle(around), 1.0 - _TIP, 1.0, 0.001)]
+    ),
     "turning arrow": _turning_arrow,
     "cart": lambda _: block((-1.5, 1.5), (-0.6, 0.6), (-0.45, 0.45)),
     "cart wheels": lambda _: _cart_wheels(),
@@ -211,9 +215,6 @@ _MAKERS: dict[str, Callable[[int], Floats]] = {
     "plane ground": lambda _: _hatched(0.014, _GROUND),
     "plane rail": lambda _: _hatched(0.01, _GROUND),
     "plane wall": lambda _: _hatched(0.01, 0.16),
-    "x bar": lambda _: block((0.0, 1.0), (-0.03, 0.03), (-0.03, 0.03)),
-    "y bar": lambda _: block((-0.03, 0.03), (0.0, 1.0), (-0.03, 0.03)),
-    "z bar": lambda _: block((-0.03, 0.03), (-0.03, 0.03), (0.0, 1.0)),
 }
 
 

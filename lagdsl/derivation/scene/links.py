@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
 
@@ -20,10 +20,13 @@ from lagdsl.derivation.scene.machine import (
     frames_in,
     movers_of,
     number,
+    numbers,
     places,
     points_of,
+    slides,
+    slopes,
     straight,
-    vector_or_none,
+    vector,
 )
 from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind
 from lagdsl.foundation.numerics.rank import Floats
@@ -52,22 +55,18 @@ def springs(machine: Machine) -> Iterator[Shape]:
         if any(each.shape == kind and each.spans[1:] == term.spans[1:] for each in machine.flat.drawings):
             continue  # somebody draws those of this class by hand
         for part in _summands(machine, term.value):
-            pairs = [
-                ends for ends in _distances(part, machine.named) if kind == "damper" or _stiff(machine, part, ends)
-            ]
-            if not pairs and (ends := _ends_by_numbers(machine, part, kind)) is not None:
-                pairs = [ends]
-            for ends in pairs:
+            told = _distances(part, machine.named)
+            pairs = [ends for ends in told if kind == "damper" or _stiff(machine, part, ends)]
+            for ends in pairs or _ends_by_numbers(machine, part, kind):
                 if (kind, ends) not in seen:
                     seen.add((kind, ends))
                     link = between(kind, term.label or kind, *ends, term.spans, machine.columns)
-                    parts = _with_wall(machine, link, ends)
-                    yield replace(link, parts=parts)
+                    yield replace(link, parts=_with_wall(machine, link, ends))
 
 
 def _with_wall(machine: Machine, link: Shape, ends: Ends) -> tuple[Part, ...]:
     """A link with a hatched wall across it, at an end that stands still while the other one slides on a line."""
-    parts = parts_of(link.kind, dict(link.numbers), planar=False)
+    parts = tuple(parts_of(link, planar=False))
     for still, other, role in ((*ends, "at"), (*ends[::-1], "to")):
         if constant(places(machine, still)) and straight(machine, other) is not None:
             way = machine.columns.vector(fx.Binary("-", other, still))
@@ -91,50 +90,50 @@ def _summands(machine: Machine, value: fx.FlatExpression) -> Iterator[fx.FlatExp
 
 def _gradient(
     machine: Machine, value: fx.FlatExpression, kind: ShapeKind, seed: int, moved: Mapping[str, float]
-) -> dict[str, float]:
-    """dV/dq at a position; of a dissipation c s^2/2 in the rates the direction in which the slip s grows."""
+) -> Floats:
+    """dV/dq at a position by the coordinates in the order of their names; of a dissipation c s^2/2 in the rates the
+    direction in which the slip s grows."""
     names = sorted(movers_of(machine, value))
     if kind == "spring":
-        return {n: number(evaluator_at(machine.flat, seed, {n: 1.0}, moved), fx.Derivative(value)) for n in names}
+        return slopes(machine.flat, value, names, seed, moved)
 
     def power(rates: Mapping[str, float]) -> float:
         return number(evaluator_at(machine.flat, seed, rates, moved), value)
 
-    own = {n: power({n: 1.0}) for n in names}
-    first = max(names, key=lambda n: own[n])
-    mixed = {n: 0.5 * (power({first: 1.0, n: 1.0}) - own[first] - own[n]) for n in names if n != first}
-    return {first: own[first], **mixed}
+    own = np.array([power({n: 1.0}) for n in names])
+    first = names[int(np.argmax(own))]
+    both = np.array([power({first: 1.0, n: 1.0 + (n == first)}) for n in names])
+    return np.asarray(0.5 * (both - own.max() - own))
 
 
-def _ends_by_numbers(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> Ends | None:
+def _ends_by_numbers(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> list[Ends]:
     names = sorted(movers_of(machine, value))
     if len(names) == 1:
         return _from_wall(machine, value, kind, names[0])
-    ends = _by_distance(machine, value, kind) if names else None
-    return ends if ends is None or kind == "damper" or _stiff(machine, value, ends, linear=True) else None
+    ends = _by_distance(machine, value, kind) if names else []
+    return [each for each in ends if kind == "damper" or _stiff(machine, value, each, linear=True)]
 
 
-def _by_distance(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> Ends | None:
+def _by_distance(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> list[Ends]:
     """Two points on whose distance alone a value depends."""
     names = movers_of(machine, value)
     gradients = [_gradient(machine, value, kind, seed, {}) for seed in (0, 1)]
-    if not all(np.isfinite(row).all() and np.any(row) for each in gradients for row in [np.array([*each.values()])]):
-        return None
-    moving = [each for each in points_of(machine)[:_MOST_POINTS] if movers_of(machine, each)]
+    if not all(np.isfinite(each).all() and np.any(each) for each in gradients):
+        return []
+    moving = [each for each in points_of(machine.flat)[:_MOST_POINTS] if movers_of(machine, each)]
     for a, b in combinations([WORLD, *moving], 2):
         if movers_of(machine, a) | movers_of(machine, b) == names and _is_distance(machine, (a, b), gradients):
-            return a, b
-    return None
+            return [(a, b)]
+    return []
 
 
-def _is_distance(machine: Machine, ends: Ends, gradients: list[dict[str, float]]) -> bool:
+def _is_distance(machine: Machine, ends: Ends, gradients: list[Floats]) -> bool:
     """Do the gradients lie along those of the distance?"""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
     for seed, gradient in enumerate(gradients):
-        own = np.array([number(evaluator_at(machine.flat, seed, {n: 1.0}), fx.Derivative(way)) for n in gradient])
-        told = np.array([*gradient.values()])
-        sizes = float(np.linalg.norm(own) * np.linalg.norm(told))
-        if not (np.isfinite(own).all() and sizes > 0.0) or abs(abs(own @ told) - sizes) > _PARALLEL * sizes:
+        own = slopes(machine.flat, way, sorted(movers_of(machine, way)), seed)
+        sizes = float(np.linalg.norm(own) * np.linalg.norm(gradient))
+        if not (np.isfinite(own).all() and sizes > 0.0) or abs(abs(own @ gradient) - sizes) > _PARALLEL * sizes:
             return False
     return True
 
@@ -143,61 +142,50 @@ def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends, *, linear: bo
     """Does dV/ds grow with the distance s of the ends? With `linear` in proportion: angles have no such springs."""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
     names = sorted(movers_of(machine, way))
-    along = np.array([number(evaluator_at(machine.flat, 0, {n: 1.0}), fx.Derivative(way)) for n in names])
+    along = slopes(machine.flat, way, names, 0)
     if not (np.isfinite(along).all() and np.any(along)):
         return False
     lengths, forces = [], []
     for step in (0.0, _STEP, 2.0 * _STEP):
         shift = dict(zip(names, (step * along).tolist(), strict=True))
-        at = [evaluator_at(machine.flat, 0, {n: 1.0}, shift) for n in names]
-        own = np.array([number(each, fx.Derivative(way)) for each in at])
-        slopes = np.array([number(each, fx.Derivative(value)) for each in at])
-        lengths.append(number(at[0], way))
-        forces.append(float(own @ slopes) / float(own @ own))
+        own = slopes(machine.flat, way, names, 0, shift)
+        lengths.append(number(evaluator_at(machine.flat, 0, moved=shift), way))
+        forces.append(float(own @ slopes(machine.flat, value, names, 0, shift)) / float(own @ own))
     stiffness = np.diff(forces) / np.diff(lengths)
     rounding = HELD * abs(forces[0]) / (lengths[1] - lengths[0])
     return bool(stiffness[0] > rounding) and not (linear and abs(np.ptp(stiffness)) > _PARALLEL * stiffness[0])
 
 
-def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name: str) -> Ends | None:
+def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name: str) -> list[Ends]:
     """From the place where the spring has no length, or from a wall on the side where nothing else is."""
-    point = next(
-        (p for p in points_of(machine) if (found := straight(machine, p)) is not None and found[0] == name), None
-    )
-    if point is None:
-        return None
-    [item] = [each for each in machine.flat.coordinates if each.name == name]
-    start = number(machine.positions[0], item.start)
-    origin = substituted(machine_position(machine, point), {name: fx.ZERO})
-    natural = 0.0
-    if kind == "spring":
-        slopes = [_gradient(machine, value, kind, 0, {name: step})[name] for step in (0.0, 1.0)]
-        if not slopes[1] > slopes[0]:
-            return None
-        here = number(machine.positions[0], fx.Variable(name))
-        natural = here - slopes[0] / (slopes[1] - slopes[0])
-    if abs(natural) > HELD * max(abs(start), 1.0):
-        return origin, point
-    at = machine.positions[0]
-    move = found[1] if (found := straight(machine, point)) is not None else np.zeros(3)
-    move = move / np.linalg.norm(move)
-    zero = vector_or_none(at, origin)
-    if zero is None:
-        return None
-    sides = [(place - zero) @ move for each in points_of(machine) if (place := _rest(machine, each)) is not None]
-    others = [float(side) for side in sides if abs(side) > HELD]
-    toward = 1.0 if any(side < 0.0 for side in others) and not any(side > 0.0 for side in others) else -1.0
-    room = min((abs(side) for side in others), default=max(_ROOM * abs(start), _WALL if start == 0.0 else 0.0))
-    wall = fixed(zero + toward * room * move)
-    return wall, point
-
-
-def _rest(machine: Machine, point: fx.FlatExpression) -> Floats | None:
-    """The place of a point that slides, while its coordinate is zero."""
-    found = straight(machine, point)
+    sliding, at = list(slides(machine)), machine.positions[0]
+    found = next(((point, move) for point, own, move in sliding if own == name), None)
     if found is None:
-        return None
-    return vector_or_none(machine.positions[0], substituted(machine_position(machine, point), {found[0]: fx.ZERO}))
+        return []
+    point, move = found[0], found[1] / np.linalg.norm(found[1])
+    start = next(number(at, each.start) for each in machine.flat.coordinates if each.name == name)
+    origin, natural = _at_zero(machine, point, {name}), 0.0
+    if kind == "spring":
+        low, high = (float(_gradient(machine, value, kind, 0, {name: step})[0]) for step in (0.0, 1.0))
+        if not high > low:
+            return []
+        natural = number(at, fx.Variable(name)) - low / (high - low)
+    if abs(natural) > HELD * max(abs(start), 1.0):
+        return [(origin, point)]
+    zero = vector(at, origin)
+    if not np.isfinite(zero).all():
+        return []
+    sides = np.array([vector(at, _at_zero(machine, each, {own})) - zero for each, own, _ in sliding]) @ move
+    others = sides[np.abs(sides) > HELD]
+    toward = 1.0 if len(others) and others.max() < 0.0 else -1.0
+    free = max(_ROOM * abs(start), _WALL if start == 0.0 else 0.0)
+    room = float(np.abs(others).min()) if len(others) else free
+    return [(fixed(zero + toward * room * move), point)]
+
+
+def _at_zero(machine: Machine, point: fx.FlatExpression, names: Iterable[str]) -> fx.FlatExpression:
+    """The place of a point while coordinates are zero."""
+    return substituted(machine_position(machine, point), dict.fromkeys(names, fx.ZERO))
 
 
 def machine_position(machine: Machine, point: fx.FlatExpression) -> fx.FlatExpression:
@@ -215,8 +203,7 @@ def ropes(machine: Machine) -> Iterator[Shape]:
         for residual in constraint.residuals:
             pairs = list(_distances(residual, machine.named))
             if not pairs and len(movers_of(machine, residual)) > 1:
-                ends = _by_distance(machine, residual, "spring")
-                pairs = [] if ends is None else [ends]
+                pairs = _by_distance(machine, residual, "spring")
             for a, b in pairs:
                 if not (_is_on_circle(machine, a, b, residual) or _is_on_circle(machine, b, a, residual)):
                     yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
@@ -227,14 +214,12 @@ def ropes(machine: Machine) -> Iterator[Shape]:
 def _hanging(machine: Machine, residual: fx.FlatExpression) -> list[Ends]:
     """Ropes of masses that slide along gravity and are tied to each other: each from where its coordinate is zero."""
     names = movers_of(machine, residual)
-    slides = [(point, found) for point in points_of(machine) if (found := straight(machine, point)) is not None]
-    tied = [(point, move) for point, (name, move) in slides if name in names]
+    tied = [(point, move) for point, name, move in slides(machine) if name in names] if machine.down is not None else []
     if machine.down is None or len(names) < 2 or len(tied) < len(names):
         return []
     if any(np.linalg.norm(np.cross(move, machine.down)) > HELD for _, move in tied):
         return []
-    zeros = dict.fromkeys(names, fx.ZERO)
-    return [(substituted(machine_position(machine, point), zeros), point) for point, _ in tied]
+    return [(_at_zero(machine, point, names), point) for point, _ in tied]
 
 
 def rods(machine: Machine) -> Iterator[Shape]:
@@ -252,28 +237,23 @@ def rods(machine: Machine) -> Iterator[Shape]:
 
 
 def _is_on_circle(
-    machine: Machine,
-    point: fx.FlatExpression,
-    center: fx.FlatExpression,
-    residual: fx.FlatExpression | None = None,
+    machine: Machine, point: fx.FlatExpression, center: fx.FlatExpression, residual: fx.FlatExpression | None = None
 ) -> bool:
     """Does a circle drawn about the center hold the point, as a wire holds a bead? The distance d of the two is the
     radius r at all positions, else a residual that holds it is in proportion to d - r or to d^2 - r^2."""
     way = fx.Norm(fx.Binary("-", point, center), "circle")
-    about = places(machine, center)
     for drawing in machine.flat.drawings:
         radius = dict(drawing.arguments).get("radius")
-        if drawing.shape != "circle" or radius is None or isinstance(radius, str) or about is None:
+        if drawing.shape != "circle" or radius is None or isinstance(radius, str):
             continue
-        [anchor] = drawing.anchors
-        own = places(machine, fx.FrameOrigin(anchor) if isinstance(anchor, str) else anchor)
-        if own is None or np.abs(own - about).max() > HELD:
+        [anchor] = anchors_of(drawing)
+        if not np.abs(places(machine, anchor) - places(machine, center)).max() <= HELD:
             continue
-        d, r = (np.array([number(at, each) for at in machine.positions]) for each in (way, radius))
+        d, r = numbers(machine, way), numbers(machine, radius)
         if residual is None:
             laws = [d - r]
         else:
-            held = np.array([number(at, residual) for at in machine.positions])
+            held = numbers(machine, residual)
             laws = [held * each[0] - held[0] * each for each in (d - r, d**2 - r**2)]
         if any(np.abs(law).max() <= HELD for law in laws):
             return True
@@ -284,28 +264,22 @@ def arms(machine: Machine) -> Iterator[Shape]:
     """A thin arm from the origin of a frame to that of one that is built on it elsewhere; from the world, and to a
     frame with a position of its own, only where the distance is held. The place that a `draw` statement writes down
     belongs to its shape, and has none; nor has a frame between whose points the same text draws."""
-    at = machine.positions
-    places = set(_written(machine.flat))
-    lines = {(name, each.spans[1:]) for each in machine.flat.drawings if each.place == "between"
-             for anchor in anchors_of(each) for name in frames_in(machine, anchor)}  # fmt: skip
-    known = {
-        _ends([each.vector(end) for each in at for end in drawing.anchors if not isinstance(end, str)])
-        for drawing in machine.flat.drawings
-        if drawing.place == "between"
-    }
+    written = set(_written(machine.flat))
+    lines = [each for each in machine.flat.drawings if each.place == "between"]
+    joined = {(name, each.spans[1:]) for each in lines for end in anchors_of(each) for name in frames_in(machine, end)}
+    known = {frozenset(map(machine.spelled, anchors_of(each))) for each in lines}
     for item in machine.flat.named:
-        if not isinstance(item, fm.Frame) or item.image is not None or item.name in places:
+        if not isinstance(item, fm.Frame) or item.image is not None or item.name in written:
             continue
-        if {(item.name, item.spans[1:]), (item.parent, item.spans[1:])} & lines:
+        if {(item.name, item.spans[1:]), (item.parent, item.spans[1:])} & joined:
             continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
-        ends = [each.vector(end) for each in at for end in (parent, own)]
-        lengths = np.linalg.norm(np.array(ends[1::2]) - np.array(ends[::2]), axis=1)
-        held = np.ptp(lengths) <= HELD * lengths.max()
+        lengths = np.linalg.norm(places(machine, own) - places(machine, parent), axis=1)
         moves = movers_of(machine, parent) | movers_of(machine, fx.FrameAxis(item.parent, 0))
-        builds = moves and not _is_placed(item)
-        if lengths.min() > HELD and (held or builds) and _ends(ends) not in known:
-            known.add(_ends(ends))
+        held = np.ptp(lengths) <= HELD * lengths.max() or (moves and not _is_placed(item))
+        ends = frozenset(map(machine.spelled, (parent, own)))
+        if lengths.min() > HELD and held and ends not in known:
+            known.add(ends)
             yield between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
 
 
@@ -326,12 +300,6 @@ def _is_placed(frame: fm.Frame) -> bool:
     return any(isinstance(step, fm.Place) for step in frame.steps)
 
 
-def _ends(places: list[Floats]) -> frozenset[bytes]:
-    """The same for the same two points, in either order, at all positions."""
-    rounded = [np.round(place, 9) + 0.0 for place in places]
-    return frozenset(np.array(rounded[first::2]).tobytes() for first in (0, 1))
-
-
 def between(
     kind: ShapeKind, name: str, a: fx.FlatExpression, b: fx.FlatExpression, spans: Spans, columns: Columns
 ) -> Shape:
@@ -339,9 +307,7 @@ def between(
     return Shape(kind=kind, name=name, numbers=numbers, spans=spans)
 
 
-def _distances(
-    expression: fx.FlatExpression, named: Mapping[str, fm.Named]
-) -> Iterator[tuple[fx.FlatExpression, fx.FlatExpression]]:
+def _distances(expression: fx.FlatExpression, named: Mapping[str, fm.Named]) -> Iterator[Ends]:
     """Pairs of points whose distance, or its square, stands in an expression or in a definition that it uses."""
     waiting, seen = [expression], set[str]()
     while waiting:
@@ -376,8 +342,6 @@ def _base(point: fx.FlatExpression, named: Mapping[str, fm.Named]) -> fx.FlatExp
 def _is_held(machine: Machine, a: fx.FlatExpression, b: fx.FlatExpression) -> bool:
     """Is their distance the same, and not zero, at all positions, though the point moves?"""
     one, other = places(machine, a), places(machine, b)
-    if one is None or other is None:
-        return False
     lengths = np.linalg.norm(one - other, axis=1)
     moves = np.ptp(one, axis=0).max() > HELD
     return bool(moves and lengths.min() > 0.0 and np.ptp(lengths) <= HELD * lengths.max())

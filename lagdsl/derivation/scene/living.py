@@ -42,17 +42,13 @@ def living(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
 
 def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -> Living:
     """The model with these columns among its outputs, and its start values among its parameters."""
-    outputs = tuple(
+    outputs = (
         fm.Output(name=f"scene[{k}]", dimension=DIMENSIONLESS, value=value, spans=())
         for k, value in enumerate(scene.columns, 1)
     )
     coordinates, own = _starts_as_parameters(flat, {*starts, *flat.page.sliders})
-    changed = replace(
-        flat,
-        outputs=(*flat.outputs, *outputs),
-        coordinates=coordinates,
-        parameters=(*flat.parameters, *own),
-    )
+    whole = (*flat.outputs, *outputs)
+    changed = replace(flat, outputs=whole, coordinates=coordinates, parameters=(*flat.parameters, *own))
     return Living(flat=changed, scene=scene)
 
 
@@ -90,31 +86,28 @@ def _starts_as_parameters(
     dependence, at = Dependence(flat), Evaluator(flat, Values())
     coordinates, found = [], []
     for item in flat.coordinates:
-        position = item
-        if item.name in chosen or not dependence.of(item.start):
-            start = _parameter(item, item.name + START, at.scalar(item.start), per_second=False)
-            found.append(start)
-            position = replace(item, start=fx.Variable(start.name))
-        if f"der({item.name})" in chosen or not dependence.of(item.rate_start):
-            rate = _parameter(item, f"der({item.name}){START}", at.scalar(item.rate_start), per_second=True)
-            found.append(rate)
-            position = replace(position, rate_start=fx.Variable(rate.name))
-        coordinates.append(position)
+        starts: dict[str, fx.FlatExpression] = {"start": item.start, "rate_start": item.rate_start}
+        for field, value in starts.items():
+            name = item.name if field == "start" else f"der({item.name})"
+            if name in chosen or not dependence.of(value):
+                found.append(_parameter(item, name, at.scalar(value)))
+                starts[field] = fx.Variable(name + START)
+        coordinates.append(replace(item, **starts))  # type: ignore[arg-type]
     return tuple(coordinates), found
 
 
-def _parameter(item: fm.Coordinate, name: str, value: float, *, per_second: bool) -> fm.Parameter:
-    unit = item.unit if not per_second else f"{item.unit}/s"
-    display = item.display_unit if not per_second or item.display_unit is None else f"{item.display_unit}/s"
+def _parameter(item: fm.Coordinate, name: str, value: float) -> fm.Parameter:
+    """The start value of a coordinate, or of its rate by another name."""
+    own = name == item.name
     return fm.Parameter(
-        name=name,
-        dimension=item.dimension / TIME if per_second else item.dimension,
-        unit=unit,
-        display_unit=display,
+        name=name + START,
+        dimension=item.dimension if own else item.dimension / TIME,
+        unit=item.unit if own else f"{item.unit}/s",
+        display_unit=item.display_unit if own or item.display_unit is None else f"{item.display_unit}/s",
         doc=item.doc,
-        type_name="Real" if per_second else item.type_name,
+        type_name=item.type_name if own else "Real",
         value=value,
-        minimum=None if per_second else item.minimum,
-        maximum=None if per_second else item.maximum,
+        minimum=item.minimum if own else None,
+        maximum=item.maximum if own else None,
         spans=item.spans,
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
 from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
 
@@ -14,11 +13,11 @@ COLORS: Mapping[str, str] = {
     "circle": "#475569", "arrow": "#d97706", "force": "#dc2626", "torque": "#ea580c", "trace": "#d97706",
     "slider": "#2563eb", "dial": "#2563eb", "ground": "#94a3b8", "rail": "#94a3b8", "track": "#94a3b8",
     "mesh": "#94a3b8", "velocity": "#16a34a", "acceleration": "#9333ea", "admissible": "#db2777", "reaction": "#0284c7",
-    "reaction torque": "#0e7490", "constraint": "#b45309", "friction": "#c026d3",
+    "support": "#94a3b8", "reaction torque": "#0e7490", "constraint": "#b45309", "friction": "#c026d3",
 }  # fmt: skip
-_OTHER = "#64748b"
+OTHER = "#64748b"
 _DARK = 0.72
-_RIM = "#475569"
+RIM = "#475569"
 _BOX = 0.06  # of the machine
 CLEAR = 0.55
 """Opacity of ellipsoids of inertia: bodies may stand in each other, gimbals and their rotor."""
@@ -27,6 +26,10 @@ HATCHED = frozenset({"ground", "rail", "wall"})
 """Forms of what a machine stands on: planar machines have a hatched line in their stead."""
 
 _ONE = Size(1.0)
+_SHOWN = Size(1.0, None, False)
+_TIP, _DIRECTION = Size(0.018), Size(0.2)
+_AXIS = Size(0.006), Size(0.1)
+_OF_ARROWS = (("at", "at"), ("to", "to"), ("z", "vector"))
 Numbers = Mapping[str, int]
 Place = tuple[tuple[str, int], ...]
 _ARROWS = frozenset({"force", "velocity", "acceleration", "admissible", "reaction", "constraint", "friction"})
@@ -37,28 +40,23 @@ def sized(numbers: Numbers, role: str, otherwise: float) -> Size:
     return Size(1.0, numbers[role], False) if role in numbers else Size(otherwise)
 
 
-def parts_of(
-    kind: ShapeKind, numbers: Numbers, *, texts: Mapping[str, str] = MappingProxyType({}), planar: bool
-) -> tuple[Part, ...]:
-    """Of a shape with these columns by role; besides those of `Part` the roles are the arguments of `draw`."""
-    found = _parts(kind, numbers, planar)
-    color = texts.get("color", COLORS.get(kind, _OTHER))
-    if "teeth" in texts:
-        found = [replace(part, form=f"gear of {texts['teeth']}") for part in found[:1]]
-    return tuple(replace(part, color=color) if part.color == _OTHER else part for part in found)
-
-
 def dressed(shapes: Iterable[Shape], planar: bool) -> tuple[Shape, ...]:
-    """Shapes with the parts of their kinds, where they have none of their own."""
-    found = []
-    for each in shapes:
-        parts = each.parts or parts_of(each.kind, dict(each.numbers), texts=dict(each.texts), planar=planar)
-        flat = tuple(
-            replace(part, form=f"plane {part.form}", opacity=1.0) if planar and part.form in HATCHED else part
-            for part in parts
-        )
-        found.append(replace(each, parts=flat))
-    return tuple(found)
+    """Shapes with the parts of their kinds, where they have none of their own, all in the colors of the kinds."""
+
+    def shown(part: Part, shape: Shape) -> Part:
+        color = dict(shape.texts).get("color", COLORS.get(shape.kind, OTHER)) if part.color == OTHER else part.color
+        if planar and part.form in HATCHED:
+            return replace(part, form=f"plane {part.form}", opacity=1.0, color=color)
+        return replace(part, color=color)
+
+    own = ((each, each.parts or parts_of(each, planar=planar)) for each in shapes)
+    return tuple(replace(each, parts=tuple(shown(part, each) for part in parts)) for each, parts in own)
+
+
+def parts_of(shape: Shape, *, planar: bool) -> list[Part]:
+    """Besides those of `Part` the roles of its columns are the arguments of `draw`."""
+    found, texts = _parts(shape.kind, dict(shape.numbers), planar), dict(shape.texts)
+    return [replace(found[0], form=f"gear of {texts['teeth']}")] if "teeth" in texts else found
 
 
 def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
@@ -68,7 +66,9 @@ def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
         case "rod" | "rope":
             return [_round("cylinder", place, sized(numbers, "radius", 0.007 if kind == "rod" else 0.004))]
         case "spring":
-            return [_spring(place, sized(numbers, "radius", 0.026))]
+            radius = sized(numbers, "radius", 0.026)
+            wire = replace(radius, factor=0.16 * radius.factor)
+            return [Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))]
         case "damper":
             return [_round("cylinder", place, Size(0.005)), _round("piston", place, Size(0.018))]
         case "box":
@@ -89,17 +89,23 @@ def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
 def _marks(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
     """Arrows, ways, names and axes; nothing for what has a value alone."""
     if kind == "arrow" or (kind in _ARROWS and "at" in numbers):
-        vector = tuple((role, numbers[role]) for role in ("vector",) if role in numbers)
-        return [Part(primitive="arrow", numbers=(*place, *vector), scale="" if kind == "arrow" else "force")]
+        way = tuple((role, numbers[name]) for role, name in _OF_ARROWS if name in numbers)
+        return [arrow(way)] if kind == "arrow" else [arrow(way, "force")]
     if kind in ("torque", "reaction torque"):
         turned = (("at", numbers["at"]), ("z", numbers["vector"]))
-        return [replace(_even("turning arrow", turned, _ONE), scale="torque")]
+        return [replace(_even("turning arrow", turned, _SHOWN), scale="torque")]
     if kind in ("trace", "text"):
         return [Part(primitive="trace" if kind == "trace" else "label", numbers=place)]
     if kind == "frame":
-        bars = zip(("x bar", "y bar", "z bar"), ("#dc2626", "#16a34a", "#2563eb"), strict=True)
-        return [replace(_even(form, place, Size(0.1)), color=color) for form, color in bars]
+        axes = (("x", "#dc2626"), ("y", "#16a34a"), ("z", "#2563eb"))
+        bars = ((_round("beam", (("at", numbers["at"]), ("z", numbers[axis])), *_AXIS), color) for axis, color in axes)
+        return [replace(bar, color=color) for bar, color in bars]
     return []
+
+
+def arrow(place: Place, scale: str = "") -> Part:
+    """To another point, along a vector as long as that is large, or of one length where it has no scale."""
+    return Part(form="arrow", numbers=place, sizes=(_TIP, _TIP, _SHOWN if scale else _DIRECTION), scale=scale)
 
 
 def _even(form: str, place: Place, size: Size) -> Part:
@@ -113,23 +119,13 @@ def _round(form: str, place: Place, radius: Size, length: Size = _ONE) -> Part:
 def ball(place: Place, radius: Size) -> list[Part]:
     """Light and dark octants, as one marks a mass center: one sees it turn."""
     across = replace(radius, factor=-radius.factor)
-    return [
-        _even("octants", place, radius),
-        Part(form="octants", numbers=place, sizes=(across, radius, radius), shade=_DARK),
-    ]
-
-
-def _spring(place: Place, radius: Size) -> Part:
-    wire = replace(radius, factor=0.16 * radius.factor)
-    return Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))
+    light = _even("octants", place, radius)
+    return [light, replace(light, sizes=(across, radius, radius), shade=_DARK)]
 
 
 def wheel(place: Place, radius: Size, width: Size) -> list[Part]:
     """With spokes, so that one sees it turn."""
-    return [
-        replace(_round("tire", place, radius, width), color=_RIM),
-        _round("spokes", place, radius, width),
-    ]
+    return [replace(_round("tire", place, radius, width), color=RIM), _round("spokes", place, radius, width)]
 
 
 def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
@@ -140,8 +136,7 @@ def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
     if "to" in numbers:
         return Part(form="beam", numbers=place, sizes=(across, up, Size(1.0)))
     if "size" in numbers:
-        sizes = tuple(Size(1.0, numbers["size"] + axis, False) for axis in range(3))
-        return Part(form="cube", numbers=place, sizes=(sizes[0], sizes[1], sizes[2]))
+        return Part(form="cube", numbers=place, sizes=_three(numbers["size"]))
     return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", _BOX), across, up))
 
 
@@ -161,5 +156,9 @@ def _turned(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
 def _scaled(place: Place, numbers: Numbers) -> Part:
     """Triangles of a file, in its units."""
     one = Size(1.0, numbers.get("scale"), False)
-    own = [Size(1.0, numbers["scales"] + axis, False) for axis in range(3)] if "scales" in numbers else [one] * 3
-    return Part(form="file", numbers=place, sizes=(own[0], own[1], own[2]))
+    return Part(form="file", numbers=place, sizes=_three(numbers["scales"]) if "scales" in numbers else (one, one, one))
+
+
+def _three(first: int) -> tuple[Size, Size, Size]:
+    """The lengths in three columns."""
+    return Size(1.0, first, False), Size(1.0, first + 1, False), Size(1.0, first + 2, False)

@@ -7,12 +7,12 @@ instance of a class takes the place of what the rules would draw for it.
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.derivation.scene.drawings import along_axes, is_symbol
+from lagdsl.derivation.scene.drawings import along_axes, is_symbol, is_vector
 from lagdsl.derivation.scene.shapes import Columns
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -59,13 +59,17 @@ class Machine:
         """Does the instance of a class that an item comes from draw itself?"""
         return bool(spans[1:]) and spans[1:] in self.owners
 
-    def is_standing(self, place: fx.FlatExpression) -> bool:
-        """Does something with a body of its own stand at a place, wherever the machine is?"""
-        return _spelled(self.positions, place) in self.standing
+    def spelled(self, place: fx.FlatExpression) -> bytes:
+        """The same for the same place at all positions."""
+        return _spelled(self.positions, place)
 
     def is_hidden(self, symbol: fm.Drawing) -> bool:
         """Does a thing stand where a component would draw its symbol?"""
         return symbol.place != "between" and self.is_standing(anchors_of(symbol)[0])
+
+    def is_standing(self, place: fx.FlatExpression) -> bool:
+        """Does something with a body of its own stand at a place, wherever the machine is?"""
+        return self.spelled(place) in self.standing
 
 
 def _start(flat: fm.FlatModel) -> Evaluator:
@@ -75,9 +79,7 @@ def _start(flat: fm.FlatModel) -> Evaluator:
 
 
 def _spelled(positions: tuple[Evaluator, ...], place: fx.FlatExpression) -> bytes:
-    """The same for the same place at all positions."""
-    found = [vector_or_none(at, place) for at in positions]
-    return np.array([np.full(3, np.nan) if each is None else np.round(each, 9) + 0.0 for each in found]).tobytes()
+    return (np.round([vector(at, place) for at in positions], 9) + 0.0).tobytes()
 
 
 def anchors_of(drawing: fm.Drawing) -> list[fx.FlatExpression]:
@@ -107,9 +109,9 @@ def gravity_of(flat: fm.FlatModel) -> Floats | None:
     """Its direction (3,) at the start; None without gravity, and where it is not known."""
     if flat.gravity is None:
         return None
-    found = vector_or_none(Evaluator(flat, Values()), flat.gravity)
-    size = 0.0 if found is None else float(np.linalg.norm(found))
-    return None if found is None or not 0.0 < size < np.inf else found / size
+    found = vector(Evaluator(flat, Values()), flat.gravity)
+    size = float(np.linalg.norm(found))
+    return found / size if size > 0.0 else None
 
 
 def up_of(flat: fm.FlatModel, *, planar: bool) -> Floats:
@@ -118,18 +120,34 @@ def up_of(flat: fm.FlatModel, *, planar: bool) -> Floats:
     return np.array([0.0, float(planar), float(not planar)]) if down is None else -down
 
 
-def vector_or_none(at: Evaluator, expression: fx.FlatExpression) -> Floats | None:
+def vector(at: Evaluator, expression: fx.FlatExpression) -> Floats:
+    """Components (3,), all nan where they have no finite value."""
     try:
         found = at.vector(expression)
     except NotEvaluable:
-        return None
-    return found if np.isfinite(found).all() else None
+        return np.full(3, np.nan)
+    return found if np.isfinite(found).all() else np.full(3, np.nan)
 
 
-def axes_at(at: Evaluator, frame: str) -> Floats | None:
+def number(at: Evaluator, expression: fx.FlatExpression) -> float:
+    """nan where it has no value."""
+    try:
+        return at.scalar(expression)
+    except NotEvaluable:
+        return float("nan")
+
+
+def axes_at(at: Evaluator, frame: str) -> Floats:
     """The axes of a frame as rows (3, 3)."""
-    axes = [vector_or_none(at, fx.FrameAxis(frame, axis)) for axis in range(3)]
-    return None if any(each is None for each in axes) else np.array(axes)
+    return np.array([vector(at, fx.FrameAxis(frame, axis)) for axis in range(3)])
+
+
+def slopes(
+    flat: fm.FlatModel, value: fx.FlatExpression, names: Sequence[str], seed: int, moved: Mapping[str, float] = _NONE
+) -> Floats:
+    """Derivatives of a scalar (names,) or a vector (names, 3) by coordinates, at a position at random."""
+    told, rate = vector if is_vector(value) else number, fx.Derivative(value)
+    return np.array([told(evaluator_at(flat, seed, {name: 1.0}, moved), rate) for name in names])
 
 
 def fixed(values: Floats) -> fx.FlatExpression:
@@ -157,24 +175,19 @@ def normal_of(
     flat: fm.FlatModel, gap: fx.FlatExpression, place: fx.FlatExpression, movers: frozenset[str]
 ) -> Floats | None:
     """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all `movers`, at two positions at random."""
-    found = []
-    for seed in range(2):
-        moves, changes = [], []
-        for name in sorted(movers):
-            at = evaluator_at(flat, seed, {name: 1.0})
-            try:
-                moves.append(at.vector(fx.Derivative(place)))
-                changes.append(at.scalar(fx.Derivative(gap)))
-            except NotEvaluable:
-                return None
-        jacobian, change = np.array(moves).reshape(-1, 3), np.array(changes)
-        if not np.isfinite(jacobian).all() or not np.isfinite(change).all():
-            return None
-        n = np.linalg.lstsq(jacobian, change, rcond=None)[0]
-        if abs(np.linalg.norm(n) - 1.0) > HELD or np.abs(jacobian @ n - change).max() > HELD:
-            return None
-        found.append(n)
-    return found[0] if np.abs(found[0] - found[1]).max() <= HELD else None
+    names = sorted(movers)
+    a, b = (unit_vectors(slopes(flat, place, names, k), slopes(flat, gap, names, k)[:, None]) for k in range(2))
+    return a[0] if a is not None and b is not None and np.abs(a - b).max() <= HELD else None
+
+
+def unit_vectors(moves: Floats, changes: Floats) -> Floats | None:
+    """Orthogonal unit vectors e_k (components, 3) with changes_k = e_k . moves, for `moves` (n, 3) of a place and
+    `changes` (n, components)."""
+    if not (np.isfinite(moves).all() and np.isfinite(changes).all()):
+        return None
+    found = np.linalg.lstsq(moves, changes, rcond=HELD)[0].T
+    off = np.abs(moves @ found.T - changes).max() > HELD * max(float(np.abs(changes).max()), 1e-300)
+    return None if off or np.abs(found @ found.T - np.eye(len(found))).max() > HELD else np.asarray(found)
 
 
 def evaluator_at(
@@ -203,23 +216,19 @@ def evaluator_at(
     return Evaluator(flat, replace(known, variables={**variables, **spread}))
 
 
-def number(at: Evaluator, expression: fx.FlatExpression) -> float:
-    """nan where it has no value."""
-    try:
-        return at.scalar(expression)
-    except NotEvaluable:
-        return float("nan")
+def numbers(machine: Machine, value: fx.FlatExpression) -> Floats:
+    """A scalar (positions,) at all positions."""
+    return np.array([number(at, value) for at in machine.positions])
 
 
-def places(machine: Machine, point: fx.FlatExpression) -> Floats | None:
+def places(machine: Machine, point: fx.FlatExpression) -> Floats:
     """A point (positions, 3) at all positions."""
-    found = [each for at in machine.positions if (each := vector_or_none(at, point)) is not None]
-    return np.array(found) if len(found) == len(machine.positions) else None
+    return np.array([vector(at, point) for at in machine.positions])
 
 
-def constant(values: Floats | None) -> bool:
+def constant(values: Floats) -> bool:
     """Are all rows the same?"""
-    return values is not None and bool(np.ptp(values, axis=0).max() <= HELD * max(float(np.abs(values).max()), 1.0))
+    return bool(np.ptp(values, axis=0).max() <= HELD * max(float(np.abs(values).max()), 1.0))
 
 
 def straight(machine: Machine, point: fx.FlatExpression) -> tuple[str, Floats] | None:
@@ -228,16 +237,20 @@ def straight(machine: Machine, point: fx.FlatExpression) -> tuple[str, Floats] |
     if len(movers) != 1 or "time" in machine.dependence.of(point):
         return None
     [name] = movers
-    moves = [vector_or_none(evaluator_at(machine.flat, k, {name: 1.0}), fx.Derivative(point)) for k in range(3)]
-    if any(each is None for each in moves):
-        return None
-    rows = np.array(moves)
+    rows = np.array([slopes(machine.flat, point, [name], seed)[0] for seed in range(3)])
     return (name, rows[0]) if constant(rows) and np.any(rows[0]) else None
 
 
-def points_of(machine: Machine) -> tuple[fx.FlatExpression, ...]:
+def slides(machine: Machine) -> Iterator[tuple[fx.FlatExpression, str, Floats]]:
+    """Points that slide on lines, with their coordinates and the derivatives (3,) by these."""
+    for point in points_of(machine.flat):
+        found = straight(machine, point)
+        if found is not None:
+            yield point, *found
+
+
+def points_of(flat: fm.FlatModel) -> tuple[fx.FlatExpression, ...]:
     """Masses, origins of frames with a body, named points: each place once."""
-    flat = machine.flat
     found = [*(mass.position for mass in flat.masses), *(fx.FrameOrigin(body.frame) for body in flat.bodies)]
     found += [fx.PointReference(item.name) for item in flat.named if isinstance(item, fm.Point)]
     return tuple(dict.fromkeys(found))
@@ -245,13 +258,8 @@ def points_of(machine: Machine) -> tuple[fx.FlatExpression, ...]:
 
 def in_frame(machine: Machine, frame: str, point: fx.FlatExpression) -> Floats | None:
     """The components (3,) along the axes of a frame, from its origin, of a point that is fixed in it."""
-    rows = []
-    for at in machine.positions[:3]:
-        place, origin, axes = vector_or_none(at, point), vector_or_none(at, fx.FrameOrigin(frame)), axes_at(at, frame)
-        if place is None or origin is None or axes is None:
-            return None
-        rows.append(axes @ (place - origin))
-    own = np.array(rows)
+    origin = fx.FrameOrigin(frame)
+    own = np.array([axes_at(at, frame) @ (vector(at, point) - vector(at, origin)) for at in machine.positions[:3]])
     return np.asarray(own[0]) if constant(own) else None
 
 
@@ -324,17 +332,12 @@ def touching_point(machine: Machine, frame: str, gap: fx.FlatExpression) -> tupl
     normal = normal_of(machine.flat, gap, origin, sliding)
     if normal is None:
         return None
-    rows, right = [], []
-    for at in machine.positions:
-        axes, place = axes_at(at, frame), vector_or_none(at, origin)
-        if place is None or axes is None:
-            return None
-        rows.append([*(axes @ normal), 1.0])
-        right.append(number(at, gap) - float(normal @ place))
-    if not np.isfinite(right).all():
+    rows = np.array([[*(axes_at(at, frame) @ normal), 1.0] for at in machine.positions])
+    right = numbers(machine, gap) - places(machine, origin) @ normal
+    if not (np.isfinite(rows).all() and np.isfinite(right).all()):
         return None
-    found = np.linalg.lstsq(np.array(rows), np.array(right), rcond=1e-9)[0]
-    exact = np.abs(np.array(rows) @ found - right).max() <= HELD * max(1.0, float(np.abs(right).max()))
+    found = np.linalg.lstsq(rows, right, rcond=1e-9)[0]
+    exact = np.abs(rows @ found - right).max() <= HELD * max(1.0, float(np.abs(right).max()))
     return (normal, np.asarray(found[:3])) if exact else None
 
 

@@ -9,14 +9,16 @@ import numpy as np
 
 from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame, sum_of
 from lagdsl.derivation.scene.links import between
-from lagdsl.derivation.scene.looks import CLEAR, Place, ball, wheel
+from lagdsl.derivation.scene.looks import CLEAR, RIM, Place, ball, wheel
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
+    anchors_of,
     constant,
     evaluator_at,
     fixed,
     fixed_points,
+    in_axes,
     length_behind,
     movers_of,
     number,
@@ -58,8 +60,7 @@ def masses(machine: Machine) -> Iterator[Shape]:
         share = fx.Binary("/", item.mass, fx.Number(most if most > 0.0 else 1.0))
         bounded = fx.Function("max", (share, fx.Number(_LEAST_SHARE)))
         size = Size(BALL, columns.scalar(fx.Binary("^", bounded, fx.Number(1.0 / 3.0))))
-        parts = tuple(replace(part, color="#2563eb") for part in ball(numbers, size))
-        yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, parts=parts, spans=item.spans)
+        yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, parts=tuple(ball(numbers, size)), spans=item.spans)
 
 
 def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] | None:
@@ -87,12 +88,10 @@ def _is_framed(machine: Machine, point: fx.FlatExpression) -> bool:
     """Is the point the corner of something that is drawn by lines and slides with it?"""
     own = places(machine, point)
     for drawing in machine.flat.drawings:
-        if drawing.place != "between" or own is None:
-            continue
-        found = (places(machine, end) for end in drawing.anchors if not isinstance(end, str))
-        ends = [each for each in found if each is not None]
-        if len(ends) == 2 and constant(ends[1] - ends[0]) and min(np.abs(own - each).max() for each in ends) <= HELD:
-            return True
+        if drawing.place == "between":
+            one, other = (places(machine, end) for end in anchors_of(drawing))
+            if constant(other - one) and min(np.abs(own - each).max() for each in (one, other)) <= HELD:
+                return True
     return False
 
 
@@ -104,8 +103,8 @@ def _on(machine: Machine, point: fx.FlatExpression, way: tuple[Floats, Floats]) 
 
 def _cart(machine: Machine, name: str, point: fx.FlatExpression, way: tuple[Floats, Floats], spans: Spans) -> Shape:
     numbers = _on(machine, point, way)
-    looks = (("cart", "#2563eb"), ("cart wheels", "#475569"))
-    parts = tuple(Part(form=form, numbers=numbers, sizes=(Size(CART),) * 3, color=color) for form, color in looks)
+    cart, wheels = (Part(form=form, numbers=numbers, sizes=(Size(CART),) * 3) for form in ("cart", "cart wheels"))
+    parts = (cart, replace(wheels, color=RIM))
     return Shape(kind="mass", name=name, numbers=numbers[:1], parts=parts, spans=spans)
 
 
@@ -121,7 +120,7 @@ def _rail(
     known.append(line)
     across = fx.Binary("-", point, fx.Binary("*", fx.Dot(point, fixed(along)), fixed(along)))
     numbers = _on(machine, across, way)
-    part = Part(form="rail", numbers=numbers, color="#94a3b8", still=True, offset=-CART)
+    part = Part(form="rail", numbers=numbers, still=True, offset=-CART)
     yield Shape(kind="rail", name="rail", numbers=(), parts=(part,), spans=spans)
 
 
@@ -130,10 +129,9 @@ def bodies(machine: Machine) -> Iterator[Shape]:
     for k, item in enumerate(machine.flat.bodies, 1):
         if machine.is_standing(fx.FrameOrigin(item.frame)) or machine.is_drawn(item.spans):
             continue
-        found = _Body(machine, item).parts()
-        shown = tuple(replace(part, color="#3b82f6") if part.color == "#64748b" else part for part in found)
-        numbers = (*on_frame(item.frame, machine.columns),)
-        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, parts=shown, spans=item.spans)
+        parts = tuple(_Body(machine, item).parts())
+        numbers = tuple(on_frame(item.frame, machine.columns))
+        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, parts=parts, spans=item.spans)
 
 
 def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
@@ -208,16 +206,11 @@ class _Body:
         return (("at", self.columns.vector(self._center())), ("x", x), ("z", z))
 
     def _direction(self, own: Floats) -> int:
-        frame = self.item.frame
-        for axis in range(3):
-            if own[axis] == 1.0:
-                return self.columns.vector(fx.FrameAxis(frame, axis))
-        return self.columns.vector(along_axes(frame, [fx.Number(float(part)) for part in own]))
+        return self.columns.vector(in_axes(self.item.frame, own))
 
-    def _length(self, factor: float, moment: fx.FlatExpression) -> Size:
-        """sqrt(factor * moment / mass)."""
-        square = fx.Binary("/", fx.Binary("*", fx.Number(factor), moment), self.item.mass)
-        return Size(1.0, self.columns.scalar(fx.Function("sqrt", (square,))), False)
+    def _length(self, moment: fx.FlatExpression) -> Size:
+        """sqrt(moment / mass)."""
+        return Size(1.0, self.columns.scalar(fx.Function("sqrt", (fx.Binary("/", moment, self.item.mass),))), False)
 
     def _point(self) -> list[Part]:
         at = (("at", self.columns.vector(self._center())),)
@@ -246,10 +239,9 @@ class _Body:
     def _disc(self) -> list[Part]:
         """About the normal of the plane: of the radius of a parameter, if one is behind the moment."""
         radius = radius_of(self.machine, self.item)
-        own = (
-            self._length(2.0, self.item.inertia[2]) if radius is None else Size(1.0, self.columns.scalar(radius), False)
-        )
-        return self._wheel(own)
+        if radius is not None:
+            return self._wheel(Size(1.0, self.columns.scalar(radius), False))
+        return self._wheel(self._length(fx.Binary("*", fx.Number(2.0), self.item.inertia[2])))
 
     def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
         numbers = (("at", self.columns.vector(start)), ("to", self.columns.vector(end)))
@@ -275,11 +267,11 @@ class _Body:
         way = fx.Binary("*", fx.Function("sqrt", (square,)), direction)
         ends: list[fx.FlatExpression] = [fx.Binary(sign, self._center(), way) for sign in "-+"]  # type: ignore[arg-type]
         held = sorted(((float(own @ along), k) for k, (_, own) in enumerate(self._corners())), key=lambda each: each[0])
-        if self.points and held[-1][0] - held[0][0] > HELD:
-            for k, (place, number_) in enumerate((held[0], held[-1])):
-                reached = center + (half if k else -half)
-                if abs(place - center) <= abs(reached - center) * (1.0 + 1e-6) and abs(place - center) > HELD:
-                    ends[k] = self._corners()[number_][0]
+        outer = (held[0], held[-1]) if self.points and held[-1][0] - held[0][0] > HELD else ()
+        for k, (place, corner) in enumerate(outer):
+            reached = center + (half if k else -half)
+            if HELD < abs(place - center) <= abs(reached - center) * (1.0 + 1e-6):
+                ends[k] = self._corners()[corner][0]
         return self._beam(ends[0], ends[1])
 
     # ---- bodies in space ---------------------------------------------------------------------------------------------
@@ -292,42 +284,33 @@ class _Body:
             values, turn = self.moments[:3], np.eye(3)
         same = [abs(values[(k + 1) % 3] - values[(k + 2) % 3]) <= HELD * values.max() for k in range(3)]
         if all(same):
-            size = self._moment_length(2.5, turn, (1.0, 0.0, 0.0))
-            return [replace(part, opacity=1.0) for part in ball(self._place(turn), size)]
+            return ball(self._place(turn), self._moment_length(turn, np.array([2.5, 0.0, 0.0])))
         if any(same):
             return self._cylinder(values, turn, same.index(True))
-        sizes = [self._side(6.0, values, turn, k) for k in range(3)]
+        # a^2 = 6 (I_b + I_c - I_a)/m; a side that the moments do not tell is thin.
+        told = ((row, row @ values > HELD * values.max()) for row in 6.0 - 12.0 * np.eye(3))
+        x, y, z = (self._moment_length(turn, row) if known else Size(_THIN) for row, known in told)
         own = turn if np.linalg.det(turn) > 0.0 else -turn
-        return [Part(form="cube", numbers=self._place(own), sizes=(sizes[0], sizes[1], sizes[2]), opacity=CLEAR)]
+        return [Part(form="cube", numbers=self._place(own), sizes=(x, y, z), opacity=CLEAR)]
 
     def _cylinder(self, values: Floats, turn: Floats, axis: int) -> list[Part]:
         """r^2 = 2 I_axis/m and l^2 = 12 I_across/m - 3 r^2, from the moments of a homogeneous cylinder."""
-        own = np.roll(turn, 2 - axis, axis=1)
-        axial, across = values[axis], values[(axis + 1) % 3]
-        weights = np.roll([0.0, 0.0, 1.0], axis - 2)
-        radius = Size(_THIN) if axial <= HELD * across else self._moment_length(2.0, turn, weights)
-        if 12.0 * across - 6.0 * axial > 0.0:
-            length = self._moment_length(1.0, turn, np.roll([12.0, 0.0, -6.0], axis - 2))
-        else:
-            length = replace(radius, factor=_WHEEL * radius.factor)
-        place = self._place(own)
+        axial, across = np.eye(3)[axis], np.eye(3)[(axis + 1) % 3]
+        thin = axial @ values <= HELD * (across @ values)
+        radius = Size(_THIN) if thin else self._moment_length(turn, 2.0 * axial)
+        square = 12.0 * across - 6.0 * axial
+        flat = replace(radius, factor=_WHEEL * radius.factor)
+        length = self._moment_length(turn, square) if square @ values > 0.0 else flat
+        place = self._place(np.roll(turn, 2 - axis, axis=1))
         drum = Part(form="drum", numbers=place, sizes=(radius, radius, length), opacity=CLEAR)
-        return [drum, Part(form="marks", numbers=place, sizes=(radius, radius, length), color="#f8fafc")]
+        return [drum, replace(drum, form="marks", opacity=1.0, color="#f8fafc")]
 
-    def _side(self, factor: float, values: Floats, turn: Floats, axis: int) -> Size:
-        """Of a cuboid: a^2 = 6 (I_b + I_c - I_a)/m; one that the moments do not tell is thin."""
-        weights = np.where(np.arange(3) == axis, -factor, factor)
-        return self._moment_length(1.0, turn, weights) if weights @ values > HELD * values.max() else Size(_THIN)
-
-    def _moment_length(self, factor: float, turn: Floats, weights: Floats | tuple[float, ...]) -> Size:
-        """sqrt(factor sum_k weights_k I_k / m) with the moments I_k about the axes that are the columns of `turn`."""
-        tensor = turn @ np.diag(np.asarray(weights)) @ turn.T
-        pairs = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
-        factors = [float(tensor[i, j]) * (1.0 if i == j else 2.0) for i, j in pairs]
-        terms = [
-            fx.Binary("*", fx.Number(f), m) for f, m in zip(factors, self.item.inertia, strict=True) if abs(f) > 1e-12
-        ]
-        return self._length(factor, sum_of(terms))
+    def _moment_length(self, turn: Floats, weights: Floats) -> Size:
+        """sqrt(sum_k weights_k I_k / m) with the moments I_k about the axes that are the columns of `turn`."""
+        tensor = turn @ np.diag(weights) @ turn.T
+        factors = [*np.diag(tensor).tolist(), *(2.0 * tensor[[0, 0, 1], [1, 2, 2]]).tolist()]
+        pairs = zip(factors, self.item.inertia, strict=True)
+        return self._length(sum_of([fx.Binary("*", fx.Number(f), moment) for f, moment in pairs if abs(f) > 1e-12]))
 
 
 def _rank(rows: Floats) -> int:

@@ -20,15 +20,7 @@ def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Tr
     At most 6000 triangles of a file, and 60 000 of all. A shape whose file cannot be drawn has none: W0351 where its
     contents are the reason. A file that is not there has been told when its statement was checked.
     """
-    files: dict[int, Path] = {}
-    for k, shape in enumerate(shapes):
-        name = dict(shape.texts).get("file")
-        if shape.kind != "mesh" or name is None:
-            continue
-        try:
-            files[k] = place_of(name, shape.spans[0].file.folder)
-        except MeshError:
-            continue
+    files = {k: file for k, shape in enumerate(shapes) if (file := _file_of(shape)) is not None}
     most = min(_MOST, _MOST_TOGETHER // max(len(set(files.values())), 1))
     found: dict[int, Triangles] = {}
     for k, file in files.items():
@@ -36,6 +28,13 @@ def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Tr
             found[k] = read_mesh(file, most)
         except MeshError as fault:
             if sink is not None:
-                name = dict(shapes[k].texts)["file"]
-                sink.report("W0351", shapes[k].spans[0], file=name, reason=str(fault))
+                sink.report("W0351", shapes[k].spans[0], file=dict(shapes[k].texts)["file"], reason=str(fault))
     return found
+
+
+def _file_of(shape: Shape) -> Path | None:
+    name = dict(shape.texts).get("file")
+    try:
+        return None if shape.kind != "mesh" or name is None else place_of(name, shape.spans[0].file.folder)
+    except MeshError:
+        return None

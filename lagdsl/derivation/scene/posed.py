@@ -13,10 +13,8 @@ from lagdsl.derivation.scene.stage import Stage
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
-NECK, SHAFT, HEAD = 0.05, 0.006, 0.018
-"""Of the machine: the length of an arrow's tip, the radii of its shaft and tip."""
-
-_DIRECTION = 0.2
+_SHORTEST = 1e-6
+"""Of the machine: nothing is seen of a shorter arrow."""
 
 
 @record()
@@ -27,11 +25,24 @@ class Posed:
     part: Part
     row: int
 
-    def finite(self) -> bool:
+    def is_seen(self) -> bool:
+        """Has it a place, and its axis a length?"""
         values = self.stage.rows[self.row]
         columns = [size.column for size in self.part.sizes if size.column is not None]
         vectors = [values[first : first + 3] for _, first in self.part.numbers]
-        return bool(np.isfinite([*values[columns], *np.ravel(vectors)]).all())
+        if not np.isfinite([*values[columns], *np.ravel(vectors)]).all():
+            return False
+        return not self.has("at") or self._shown() > (_SHORTEST * self.stage.length if self.part.scale else 0.0)
+
+    def _shown(self) -> float:
+        """The length of the axis, in the picture if it has another unit."""
+        return float(np.linalg.norm(self.way())) * (self.stage.scales[self.part.scale] if self.part.scale else 1.0)
+
+    def way(self) -> Floats:
+        """The axis: to the other end, along z."""
+        if self.has("to"):
+            return np.asarray(self.vector("to") - self.vector("at"))
+        return self.vector("z") if self.has("z") else np.array([0.0, 0.0, 1.0])
 
     def has(self, role: str) -> bool:
         return any(name == role for name, _ in self.part.numbers)
@@ -49,13 +60,12 @@ class Posed:
 
     def matrix(self) -> Floats:
         """The transformation (4, 4) of the unit form."""
-        part, at, to = self.part, self.vector("at"), self.has("to")
-        way = self.vector("to") - at if to else self.vector("z") if self.has("z") else np.array([0.0, 0.0, 1.0])
+        part, at, way = self.part, self.vector("at"), self.way()
         sizes = [self.size(size) for size in part.sizes]
         if part.scale:
-            sizes = [float(np.linalg.norm(way)) * self.stage.scales[part.scale]] * 3
-        elif to:
-            sizes[2] = float(np.linalg.norm(way))
+            sizes = [own if size.relative else own * self._shown() for own, size in zip(sizes, part.sizes, strict=True)]
+        elif self.has("to"):
+            sizes[2] = self._shown()
         x, y, z = axes_along(way, self.vector("x") if self.has("x") else None)
         if part.still:
             at = self._beside(at, z, x if self.has("x") else None)
@@ -72,15 +82,6 @@ class Posed:
             return placed(coil(), self.matrix())
         first = dict(self.part.numbers)["points"]
         return np.asarray(self.stage.rows[self.row, first : first + 3 * self.part.count].reshape(-1, 3))
-
-    def way(self) -> Floats:
-        """From tail to tip of an arrow: loads are as long as they are large, directions of the user have one length."""
-        if self.has("to"):
-            return np.asarray(self.vector("to") - self.vector("at"))
-        way = self.vector("vector")
-        if self.part.scale:
-            return np.asarray(way * self.stage.scales[self.part.scale])
-        return np.asarray(way * (_DIRECTION * self.stage.length / (float(np.linalg.norm(way)) or 1.0)))
 
 
 def axes_along(way: Floats, about: Floats | None) -> tuple[Floats, Floats, Floats]:

@@ -8,11 +8,24 @@ the same. A slip of angles, of a lever or of shafts has no place.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 
-from lagdsl.derivation.scene.machine import axes_at, evaluator_at, in_axes, normal_of, radius_at
+from lagdsl.derivation.scene.machine import (
+    HELD,
+    axes_at,
+    evaluator_at,
+    in_axes,
+    normal_of,
+    number,
+    points_of,
+    radius_at,
+    unit_vectors,
+    vector,
+)
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -20,10 +33,8 @@ from lagdsl.foundation.units.dimension import VELOCITY
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.dependence import Dependence
-from lagdsl.language.flat.evaluate import NotEvaluable
 from lagdsl.language.flat.events import Friction
 
-_SAME = 1e-9
 # Parameters are changed by up to this part, so that a direction which follows one is not taken for a fixed one.
 _SPREAD = 0.1
 # Of so many points the velocities are looked at; pairs of these, too.
@@ -59,20 +70,17 @@ class Rubbing:
         rates: list[dict[str, float]] = [{}, *({name: 1.0} for name in self._names)]
         self._at = [[evaluator_at(flat, seed, each, parameters=_SPREAD) for each in rates] for seed in (0, 1)]
         self._frames = ["world", *(item.name for item in flat.named if isinstance(item, fm.Frame))]
-        self._points: list[_Point] | None = None
 
     def places(self, friction: Friction) -> tuple[Place, ...]:
         """One, or two on which it acts in opposite senses; none where its slip is that of no point."""
         if friction.dimension != VELOCITY:
             return ()
-        slips = self._slips(friction)
-        if slips is None:
-            return ()
-        for point in (*self._known(), *self._touching(friction)):
+        slips = self._changes([[[number(at, slip) for slip in friction.slips] for at in row] for row in self._at])
+        for point in (*self._known, *self._touching(friction)):
             directions = self._along(slips, point.moves)
             if directions is not None:
                 return (Place(point.at, directions),)
-        for one, other in combinations(self._known(), 2):
+        for one, other in combinations(self._known, 2):
             reached = _moves_with(one.moves) | _moves_with(other.moves)
             directions = self._along(slips, one.moves - other.moves) if np.all(reached[_moves_with(slips)]) else None
             if directions is not None:
@@ -80,34 +88,22 @@ class Rubbing:
                 return Place(one.at, directions), Place(other.at, opposite)
         return ()
 
-    def _slips(self, friction: Friction) -> Floats | None:
-        """(positions, coordinates, components): the slip for a unit rate of each coordinate."""
-        try:
-            found = [[[at.scalar(slip) for slip in friction.slips] for at in row] for row in self._at]
-        except NotEvaluable:
-            return None
+    def _changes(self, found: list[list[Any]]) -> Floats:
+        """(positions, coordinates, components) for a unit rate of each coordinate, of values at each moment."""
         values = np.array(found)
-        return values[:, 1:] - values[:, :1] if np.isfinite(values).all() else None
+        return np.asarray(values[:, 1:] - values[:, :1])
 
-    def _moves(self, velocity: fx.FlatExpression) -> Floats | None:
-        try:
-            values = np.array([[at.vector(velocity) for at in row] for row in self._at])
-        except NotEvaluable:
-            return None
-        return values[:, 1:] - values[:, :1] if np.isfinite(values).all() else None
+    def _moving(self, at: fx.FlatExpression, velocity: fx.FlatExpression) -> Iterator[_Point]:
+        """A point with this velocity, if it moves and the velocity has a value."""
+        moves = self._changes([[vector(moment, velocity) for moment in row] for row in self._at])
+        if np.isfinite(moves).all() and np.any(moves):
+            yield _Point(at, moves)
 
+    @cached_property
     def _known(self) -> list[_Point]:
         """Named points, masses, origins of frames with a body, as far as they move."""
-        if self._points is None:
-            flat = self._flat
-            places: list[fx.FlatExpression] = [
-                *(fx.PointReference(item.name) for item in flat.named if isinstance(item, fm.Point)),
-                *(mass.position for mass in flat.masses),
-                *(fx.FrameOrigin(body.frame) for body in flat.bodies),
-            ]
-            moves = ((at, self._moves(fx.Derivative(at))) for at in places[:_MOST_POINTS])
-            self._points = [_Point(at, each) for at, each in moves if each is not None and np.any(each)]
-        return self._points
+        places = sorted(points_of(self._flat), key=lambda at: not isinstance(at, fx.PointReference))
+        return [point for at in places[:_MOST_POINTS] for point in self._moving(at, fx.Derivative(at))]
 
     def _touching(self, friction: Friction) -> Iterator[_Point]:
         """Points of bodies that touch: the lowest one of a round shape over the plane of its contact, and named points
@@ -131,27 +127,18 @@ class Rubbing:
                     yield from self._part(body.frame, fx.PointReference(point.name))
 
     def _part(self, frame: str, at: fx.FlatExpression) -> Iterator[_Point]:
-        moves = self._moves(fx.MaterialVelocity(at, frame))
-        if moves is not None and np.any(moves):
-            yield _Point(at, moves)
+        return self._moving(at, fx.MaterialVelocity(at, frame))
 
     # ---- directions --------------------------------------------------------------------------------------------------
 
     def _along(self, slips: Floats, moves: Floats) -> Directions | None:
         """Unit vectors e_k, orthogonal ones, with slip_k = e_k . velocity at all positions, fixed in a frame."""
-        vectors = []
-        for slip, move in zip(slips, moves, strict=True):
-            found = np.linalg.lstsq(move, slip, rcond=1e-9)[0].T
-            scale = max(float(np.max(np.abs(slip))), 1e-300)
-            if np.max(np.abs(move @ found.T - slip)) > _SAME * scale:
-                return None
-            if np.max(np.abs(found @ found.T - np.eye(len(found)))) > _SAME:
-                return None
-            vectors.append(found)
+        vectors = [each for each in map(unit_vectors, moves, slips) if each is not None]
+        if len(vectors) < len(slips):
+            return None
         for frame in self._frames:
-            axes = [turn for row in self._at if (turn := axes_at(row[0], frame)) is not None]
-            parts = [found @ turn.T for found, turn in zip(vectors, axes, strict=False)]
-            if len(axes) == len(self._at) and max(float(np.max(np.abs(each - parts[0]))) for each in parts) <= _SAME:
+            parts = [found @ axes_at(row[0], frame).T for found, row in zip(vectors, self._at, strict=True)]
+            if max(float(np.abs(each - parts[0]).max()) for each in parts) <= HELD:
                 return tuple(in_axes(frame, each) for each in parts[0])
         return None
 

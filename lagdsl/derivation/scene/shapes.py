@@ -17,8 +17,8 @@ ShapeKind: TypeAlias = Literal[
 """The shapes of `draw`, then those that the rules add, then the arrows of `vectors`."""
 
 
-Primitive: TypeAlias = Literal["surface", "line", "trace", "arrow", "label"]
-"""All that painters know: triangles of a unit body, a tube through points, the way of a point, an arrow, a text."""
+Primitive: TypeAlias = Literal["surface", "line", "trace", "label"]
+"""All that painters know: triangles of a unit body, a tube through points, the way of a point, a text."""
 
 
 @record()
@@ -36,11 +36,12 @@ class Part:
 
     `at` is its origin, `z` its axis, `x` about the direction of its first axis, world axes where they are not given.
     With `to` the axis leads there and the unit length along it is stretched to the distance. `sizes` [m] stretch the
-    unit lengths along the axes. An arrow leads to `to`, or along `vector`, whose length has the unit `scale`, of fixed
-    length without one; a surface with a `scale` is as large as its `z`. A line has its `points` (n vectors) or is the
-    coil of a spring; `sizes` ends with the radius of its tube. A `still` part does not move: it stands where the motion
-    begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade` times the color. The
-    vectors of a part on a `board`, by its number, are in the axes and the unit of that board of the stage.
+    unit lengths along the axes. With a `scale`, which is the unit of `z`, those that are not relative are multiplied by
+    the length of `z` in the picture; nothing is seen of a part whose axis has no length. A line has its `points` (n
+    vectors) or is the coil of a spring; `sizes` ends with the radius of its tube. A `still` part does not move: it
+    stands where the motion begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade`
+    times the color. The vectors of a part on a `board`, by its number, are in the axes and the unit of that board of
+    the stage.
     """
 
     primitive: Primitive = "surface"

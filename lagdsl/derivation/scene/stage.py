@@ -128,7 +128,8 @@ def places_of(scene: Scene, rows: Floats) -> Floats:
 
 def _room(part: Part, rows: Floats) -> Floats:
     """Around the places of a part with sizes of its own, along the axes of the world (rows, 3) [m]."""
-    if part.primitive != "surface" or part.form == "file" or any(size.relative for size in part.sizes[:2]):
+    unknown = part.primitive != "surface" or part.form == "file" or part.scale
+    if unknown or any(size.relative for size in part.sizes[:2]):
         return np.zeros(3)
     numbers = dict(part.numbers)
     factors = [np.abs(size.factor * (1.0 if size.column is None else rows[:, size.column])) for size in part.sizes]

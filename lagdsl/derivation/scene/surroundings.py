@@ -10,6 +10,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.drawings import on_frame
 from lagdsl.derivation.scene.links import machine_position
+from lagdsl.derivation.scene.looks import COLORS, OTHER
 from lagdsl.derivation.scene.machine import (
     HELD,
     Machine,
@@ -25,9 +26,11 @@ from lagdsl.derivation.scene.machine import (
     places,
     points_of,
     radius_at,
+    slides,
+    slopes,
     straight,
     touching_point,
-    vector_or_none,
+    vector,
 )
 from lagdsl.derivation.scene.masses import radius_of
 from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind, Size
@@ -43,10 +46,8 @@ from lagdsl.language.flat.traversal import postorder, substituted
 _MOST_FRAMES = 60
 _STEPS_OF_A_TRACK = 49
 _FARTHEST = 6.0  # of its largest start value: so far the track of a length is drawn
-_GROUND = "#94a3b8"
 _HELD_KINDS = frozenset({"rod", "rope", "spring", "damper", "body", "box", "cylinder"})
 _CLEAR_GROUND = 0.3
-_HAND = "#2563eb"
 # Middle, right, back, and the place of the name of a gauge.
 _ON_A_BOARD = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.35, 0.0))
 
@@ -63,8 +64,8 @@ def grounds(machine: Machine) -> Iterator[Shape]:
         n = fixed(normal)
         still = fx.Binary("*", fx.Dot(foot, n), n)
         numbers = (("at", machine.columns.vector(foot)), ("normal", machine.columns.vector(n)))
-        at = vector_or_none(machine.positions[0], still)
-        plane = np.array([*normal, *(np.zeros(3) if at is None else at)])
+        at = vector(machine.positions[0], still)
+        plane = np.array([*normal, *np.nan_to_num(at)])
         if any(np.abs(plane - other).max() <= HELD for other in seen):
             continue
         seen.append(plane)
@@ -72,7 +73,6 @@ def grounds(machine: Machine) -> Iterator[Shape]:
         part = Part(
             form="ground",
             numbers=(("at", machine.columns.vector(still) if rests else numbers[0][1]), ("z", numbers[1][1])),
-            color=_GROUND,
             still=rests,
             opacity=_CLEAR_GROUND,
         )
@@ -92,7 +92,7 @@ def _plane_of(machine: Machine, gap: fx.FlatExpression) -> tuple[Floats, fx.Flat
     if not own:
         return None
     bodies = {fx.FrameOrigin(body.frame): body for body in flat.bodies}
-    for place in points_of(machine):
+    for place in points_of(machine.flat):
         movers = movers_of(machine, place)
         normal = normal_of(flat, gap, place, movers) if own <= movers else None
         if normal is None:
@@ -123,7 +123,7 @@ def supports(machine: Machine, shapes: Iterable[Shape], up: Floats) -> Iterator[
             if turns and constant(end) and place not in known:
                 known.add(place)
                 z = machine.columns.vector(fixed(-up if way[0] @ up < 0.0 else up))
-                part = Part(form="wall", numbers=(("at", numbers[role]), ("z", z)), color=_GROUND)
+                part = Part(form="wall", numbers=(("at", numbers[role]), ("z", z)))
                 yield Shape(kind="support", name="support", numbers=(), parts=(part,), spans=shape.spans)
 
 
@@ -142,7 +142,7 @@ def tracks(machine: Machine) -> Iterator[Shape]:
             first = machine.columns.scalars(tuple(fx.Component(p, k) for p in points for k in range(3)))
             part = Part(
                 primitive="line", form="points", numbers=(("points", first),), count=len(points),
-                sizes=(Size(1.0), Size(1.0), Size(0.006)), color=_GROUND, still=True,
+                sizes=(Size(1.0), Size(1.0), Size(0.006)), still=True,
             )  # fmt: skip
             yield Shape(kind="track", name="track", numbers=(), parts=(part,), spans=mass.spans)
 
@@ -153,15 +153,11 @@ def _wire(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
         if not isinstance(item, fm.Constraint) or movers_of(machine, residual) != movers or len(movers) != 2:
             continue
         for free, solved in (sorted(movers), sorted(movers)[::-1]):
-            slopes = np.array(
-                [number(evaluator_at(machine.flat, k, {solved: 1.0}), fx.Derivative(residual)) for k in range(3)]
-            )
-            if not (np.isfinite(slopes).all() and constant(slopes[:, None]) and slopes[0]) or _is_plane(
-                machine, residual, mass
-            ):
+            slope = np.array([slopes(machine.flat, residual, [solved], seed) for seed in range(3)])
+            if not (constant(slope) and slope[0]) or _is_plane(machine, residual, mass):
                 continue
             rest = substituted(residual, {solved: fx.ZERO})
-            height = fx.Binary("/", rest, fx.Number(-float(slopes[0])))
+            height = fx.Binary("/", rest, fx.Number(-float(slope[0, 0])))
             place = substituted(machine_position(machine, mass.position), {solved: height})
             return [substituted(place, {free: fx.Number(s)}) for s in _range(machine, free, movers)]
     return []
@@ -180,10 +176,8 @@ def _way(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
     if any(isinstance(each, fx.PointReference | fx.FrameOrigin | fx.FrameAxis) for each in postorder(position)):
         return []
     points = [substituted(position, {name: fx.Number(s)}) for s in _range(machine, name, movers)]
-    found = [vector_or_none(machine.positions[0], point) for point in points[::6]]
-    if any(each is None for each in found):
-        return []
-    return [] if _on_a_circle(np.array(found)) else points
+    found = np.array([vector(machine.positions[0], point) for point in points[::6]])
+    return points if np.isfinite(found).all() and not _on_a_circle(found) else []
 
 
 def _on_a_circle(places: Floats) -> bool:
@@ -235,19 +229,14 @@ def _acts_at(machine: Machine, target: fx.FlatExpression) -> tuple[ShapeKind, fx
     """The first thing that a coordinate alone shifts along a line or turns about a direction that does not change."""
     if not isinstance(target, fx.Variable):
         return None
-    for point in points_of(machine):
-        found = straight(machine, point)
-        if found is not None and found[0] == target.name:
-            return "force", point, found[1]
+    for point, name, move in slides(machine):
+        if name == target.name:
+            return "force", point, move
     for body in machine.flat.bodies:
-        axes = [fx.FrameAxis(body.frame, axis) for axis in range(3)]
-        spins = []
-        for seed in range(2):
-            at = evaluator_at(machine.flat, seed, {target.name: 1.0})
-            rows = [(vector_or_none(at, axis), vector_or_none(at, fx.Derivative(axis))) for axis in axes]
-            spins.append(0.5 * sum((np.cross(a, r) for a, r in rows if a is not None and r is not None), np.zeros(3)))
-        if abs(np.linalg.norm(spins[0]) - 1.0) <= HELD and np.abs(spins[0] - spins[1]).max() <= HELD:
-            return "torque", fx.FrameOrigin(body.frame), spins[0]
+        omega = fx.AngularVelocity(body.frame)
+        one, other = (vector(evaluator_at(machine.flat, seed, {target.name: 1.0}), omega) for seed in range(2))
+        if abs(np.linalg.norm(one) - 1.0) <= HELD and np.abs(one - other).max() <= HELD:
+            return "torque", fx.FrameOrigin(body.frame), one
     return None
 
 
@@ -286,7 +275,7 @@ def _gauge(columns: Columns, kind: ShapeKind, value: fx.FlatExpression, board: i
     """A rail with a carriage, a ring with a hand that stands upward at zero; the name below."""
     middle, right, back, below = (columns.vector(fixed(np.array(each))) for each in _ON_A_BOARD)
 
-    def part(form: str, sizes: tuple[float, float, float], at: int = middle, color: str = _HAND) -> Part:
+    def part(form: str, sizes: tuple[float, float, float], at: int = middle, color: str = OTHER) -> Part:
         x, y, z = (Size(size * BOARD) for size in sizes)
         return Part(
             form=form, numbers=(("at", at), ("x", right), ("z", back)), sizes=(x, y, z), color=color, board=board
@@ -294,12 +283,12 @@ def _gauge(columns: Columns, kind: ShapeKind, value: fx.FlatExpression, board: i
 
     yield Part(primitive="label", numbers=(("at", below),), board=board)
     if kind == "slider":
-        yield part("cube", (2.2, 0.06, 0.06), color=_GROUND)
+        yield part("cube", (2.2, 0.06, 0.06), color=COLORS["ground"])
         yield part("cube", (0.5, 0.5, 0.5), columns.vector(fx.Vector(value, fx.ZERO, fx.ZERO)))
         return
     sine, cosine = (fx.Function(name, (value,)) for name in ("sin", "cos"))
     tip = columns.vector(fx.Vector(fx.Unary("-", sine), cosine, fx.ZERO))
-    yield part("wire ring", (1.0, 1.0, 1.0), color=_GROUND)
+    yield part("wire ring", (1.0, 1.0, 1.0), color=COLORS["ground"])
     yield part("cylinder", (0.1, 0.1, 0.15))
     yield replace(part("beam", (0.12, 0.12, 1.0)), numbers=(("at", middle), ("to", tip)))
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
+from typing import Literal
 
 from lagdsl.derivation.scene.drawings import mass_centre, sum_of
 from lagdsl.derivation.scene.living import Living, with_scene
@@ -27,6 +28,10 @@ MOST_POINTS = 24
 
 _MOST_MOTIONS = 200
 _AXES = tuple(fx.Vector(*(fx.Number(float(axis == k)) for k in range(3))) for axis in range(3))
+_OF_JOINTS: tuple[tuple[ShapeKind, Literal["force", "torque"]], ...] = (
+    ("reaction", "force"),
+    ("reaction torque", "torque"),
+)
 UNITS: dict[ShapeKind, str] = {
     "velocity": "m/s",
     "acceleration": "m/s2",
@@ -78,25 +83,20 @@ def _name_of(position: fx.FlatExpression, number: int) -> str:
 
 def _motions(places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
     """Velocities, then accelerations."""
-    rates = [(place, fx.Derivative(place.position)) for place in places]
-    for place, rate in rates:
-        yield _arrow("velocity", place.name, place, rate, columns)
-    for place, rate in rates:
-        yield _arrow("acceleration", place.name, place, fx.Derivative(rate), columns)
+    for place in places:
+        yield _arrow("velocity", place, fx.Derivative(place.position), columns)
+    for place in places:
+        yield _arrow("acceleration", place, fx.Derivative(fx.Derivative(place.position)), columns)
 
 
 def _admissible(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
     """dr/dq_j of each mass: with others held, a coordinate moves it along this arrow (d'Alembert's virtual motions)."""
-    count = 0
-    for place in places:
-        for name in place.moved:
-            count += 1
-            if count > _MOST_MOTIONS:
-                return
-            shape = _arrow("admissible", place.name, place, fx.AdmissibleMotion(place.position, name), columns)
-            item = next(each for each in flat.coordinates if each.name == name)
-            unit = "m" if item.unit in ("rad", "1") else f"m/({item.unit})" if item.unit != "m" else "1"
-            yield replace(shape, texts=(("coordinate", name), ("unit", unit)))
+    units = {item.name: item.unit for item in flat.coordinates}
+    moving = [(place, name) for place in places for name in place.moved]
+    for place, name in moving[:_MOST_MOTIONS]:
+        shape = _arrow("admissible", place, fx.AdmissibleMotion(place.position, name), columns)
+        unit = "m" if units[name] in ("rad", "1") else f"m/({units[name]})" if units[name] != "m" else "1"
+        yield replace(shape, texts=(("coordinate", name), ("unit", unit)))
 
 
 def _reactions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
@@ -114,16 +114,13 @@ def _reactions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
     for name, frame, spans in carried[:MOST_POINTS]:
         if frame is None:
             continue
-        for kind, what in (("reaction", "force"), ("reaction torque", "torque")):
-            reaction = fx.FrameReaction(frame, "force" if what == "force" else "torque")
-            numbers = (("at", columns.vector(fx.FrameOrigin(frame))), ("vector", columns.vector(reaction)))
-            shown: ShapeKind = "reaction" if kind == "reaction" else "reaction torque"
-            yield Shape(kind=shown, name=f"reaction({name}).{what}", numbers=numbers, spans=spans)
+        place = _Place(f"reaction({name})", fx.FrameOrigin(frame), (), spans)
+        for kind, what in _OF_JOINTS:
+            yield _arrow(kind, place, fx.FrameReaction(frame, what), columns, f"{place.name}.{what}")
     points = {item.position.name: item.spans for item in flat.masses if isinstance(item.position, fx.PointReference)}
     for name, spans in list(points.items())[:MOST_POINTS]:
         force = fx.Vector(*(fx.ReactionAlong(name, axis) for axis in _AXES))
-        numbers = (("at", columns.vector(fx.PointReference(name))), ("vector", columns.vector(force)))
-        yield Shape(kind="reaction", name=f"reaction({name})", numbers=numbers, spans=spans)
+        yield _arrow("reaction", _Place(f"reaction({name})", fx.PointReference(name), (), spans), force, columns)
 
 
 def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
@@ -155,7 +152,8 @@ def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...], columns: 
                 if not set(dependence.of(residual)) & set(place.moved):
                     continue
                 force = fx.Vector(*(_slope(residual, name, row) for name in names))
-                yield _arrow("constraint", f"{row} on {place.name}", place, force, columns, constraint.spans)
+                shape = _arrow("constraint", place, force, columns, f"{row} on {place.name}")
+                yield replace(shape, spans=constraint.spans)
 
 
 def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
@@ -171,12 +169,13 @@ def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
         told = (("mode", columns.scalar(mode)), ("value", columns.scalars(forces)))
         texts = (("unit", force_unit(friction)), ("components", str(len(forces))))
         places = rubbing.places(friction)
+        shape = Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)
         for place in places:
             parts = [fx.Binary("*", f, e) for f, e in zip(forces, place.directions, strict=True)]
             numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(sum_of(parts))), *told)
-            yield Shape(kind="friction", name=friction.name, numbers=numbers, texts=texts, spans=friction.spans)
+            yield replace(shape, numbers=numbers)
         if not places:
-            yield Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)
+            yield shape
 
 
 def _slope(residual: fx.FlatExpression, name: str | None, row: str) -> fx.FlatExpression:
@@ -190,24 +189,13 @@ def _cartesian(position: fx.FlatExpression, moved: tuple[str, ...]) -> tuple[str
     """The coordinates that are the components of a position, None for a component that stays; None for any other."""
     if not isinstance(position, fx.Vector):
         return None
-    names: list[str | None] = []
-    for part in (position.x, position.y, position.z):
-        if isinstance(part, fx.Variable) and part.name in moved:
-            names.append(part.name)
-        elif isinstance(part, fx.Number):
-            names.append(None)
-        else:
-            return None
+    names = [part.name if isinstance(part, fx.Variable) else None for part in (position.x, position.y, position.z)]
+    rests = (isinstance(part, fx.Number) for part in (position.x, position.y, position.z))
+    if not all(name in moved or still for name, still in zip(names, rests, strict=True)):
+        return None
     return tuple(names) if any(names) else None
 
 
-def _arrow(
-    kind: ShapeKind,
-    name: str,
-    place: _Place,
-    vector: fx.FlatExpression,
-    columns: Columns,
-    spans: Spans | None = None,
-) -> Shape:
+def _arrow(kind: ShapeKind, place: _Place, vector: fx.FlatExpression, columns: Columns, name: str = "") -> Shape:
     numbers = (("at", columns.vector(place.position)), ("vector", columns.vector(vector)))
-    return Shape(kind=kind, name=name, numbers=numbers, spans=place.spans if spans is None else spans)
+    return Shape(kind=kind, name=name or place.name, numbers=numbers, spans=place.spans)

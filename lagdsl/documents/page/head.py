@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import TypeAlias
 
-from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
 from lagdsl.derivation.scene.shapes import Part, Scene, Shape
@@ -30,6 +29,7 @@ from lagdsl.motion.signals.inputs import signals
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.table import event_names
 
+_NONE: Mapping[int, int] = {}
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
 
 
@@ -51,6 +51,7 @@ def head_of(
     meshes, numbers, undrawn = packed_meshes(living.scene.shapes, stage.meshes)
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
+    named = event_names(living.flat, engine.layout)
     for name, others in other_names(model).items():
         docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
@@ -102,7 +103,7 @@ def head_of(
             "rows": [slot.name for slot in engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
         },
-        "event_names": [_event_names(living.flat, engine.layout, kind) for kind in WHAT],
+        "event_names": [{"kind": kind, "names": list(named.get(kind, ()))} for kind in WHAT],
     }
 
 
@@ -135,21 +136,22 @@ def _named(entry: Entry) -> str:
     return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
 
 
-def _event_names(flat: FlatModel, layout: Layout, kind: str) -> Json:
-    return {"kind": kind, "names": list(event_names(flat, layout).get(kind, ()))}
-
-
 def _forms(stage: Stage) -> dict[str, Json]:
     """Unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
     parts = [part for shape in stage.scene.shapes for part in shape.parts]
     surfaces = {part.form for part in parts if part.primitive == "surface"}
-    names = sorted({"cylinder", "cone", "turning arrow", *surfaces} - {"file"})
+    names = sorted({"arrow", "turning arrow", *surfaces} - {"file"})
     points = coil().round(4).tolist() if any(part.form == "coil" for part in parts) else []
     return {"coil": points, "forms": {name: asdict(packed_form(name, stage.around)) for name in names}}
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
-    minimum, maximum = _bounds(item)
+    """Its bounds are those between which the value has a meaning, or is expected."""
+    minimum, maximum = item.minimum, item.maximum
+    if item.base == "Boolean":
+        minimum, maximum = 0.0, 1.0
+    elif isinstance(item, Input) and item.literals:
+        minimum, maximum = 1.0, float(len(item.literals))
     return {
         "name": item.name,
         "doc": item.doc,
@@ -163,15 +165,6 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
     }
 
 
-def _bounds(item: Parameter | Input) -> tuple[float | None, float | None]:
-    """Between which a value has a meaning, or is expected."""
-    if item.base == "Boolean":
-        return 0.0, 1.0
-    if isinstance(item, Input) and item.literals:
-        return 1.0, float(len(item.literals))
-    return item.minimum, item.maximum
-
-
 def _finite(value: float | None) -> float | None:
     return value if value is not None and math.isfinite(value) else None
 
@@ -180,11 +173,9 @@ def occurrences(motion: Trajectory) -> list[Json]:
     return [{"time": event.time, "name": event.name, "kind": event.kind} for event in motion.events]
 
 
-def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] | None = None) -> list[Json]:
+def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] = _NONE) -> list[Json]:
     """`meshes` has the numbers of meshes by those of shapes."""
-    own: list[dict[str, Json]] = [
-        {"mesh": meshes[k]} if meshes and k in meshes else {} for k in range(len(scene.shapes))
-    ]
+    own = ({"mesh": meshes[k]} if k in meshes else {} for k in range(len(scene.shapes)))
     return [{**_shape(shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from lagdsl.documents.page.head import Json, head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import States, recording_of, rows_of
-from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
+from lagdsl.documents.page.states import recording_of
+from lagdsl.documents.plot.picture.recording import Prepared, Recording, parameters_of, prepare
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.source import SourceFile
@@ -18,7 +19,6 @@ from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.analysis.modes import Modes, phase_of
 from lagdsl.motion.analysis.point import Point
 from lagdsl.motion.analysis.variation import Variation
-from lagdsl.motion.signals.trajectory import Trajectory
 
 _MOST_MODES = 12
 _FRAMES = 97
@@ -27,6 +27,7 @@ _PERIODS, _CONSTANTS = 3.0, 4.0
 _SECONDS = 2.0  # that a period takes to watch
 # Displacement of the point that moves most, in lengths of the machine, and the largest change of a coordinate.
 _REACH, _LARGEST = 0.12, 0.5
+_OF_THRESHOLDS = ("value", "kind", "frequency", "unstable_above")
 LEVELS = (("small", 0.4), ("medium", 1.0), ("large", 2.0))
 
 
@@ -47,8 +48,8 @@ def modes_page(
     if not shown:
         why = "all eigenvalues are zero" if len(modes.eigenvalues) else "nothing in it is free to move"
         raise ValueError(f"{modes.model} has no mode that moves: {why}")
-    still = recording_of(prepared, States(points=[modes.point], p=p), "modes")
-    runs = [run for i in shown for run in _runs(prepared, modes, i, p, still.motion)]
+    still = recording_of(prepared, [replace(modes.point, p=p)], "modes")
+    runs = [run for i in shown for run in _runs(prepared, modes, i, p, still)]
     head = head_of(still, Wishes(), source, [run.motion for run in runs])
     told: dict[str, Json] = {
         "modes": [_told(modes, i) for i in shown],
@@ -82,14 +83,11 @@ def _locus(variation: Variation) -> Json:
         "eigenvalues": [
             [[s.real, s.imag] if math.isfinite(abs(s)) else None for s in row] for row in variation.eigenvalues.tolist()
         ],
-        "thresholds": [
-            {"value": t.value, "kind": t.kind, "frequency": t.frequency, "unstable_above": t.unstable_above}
-            for t in variation.thresholds
-        ],
+        "thresholds": [{name: getattr(each, name) for name in _OF_THRESHOLDS} for each in variation.thresholds],
     }
 
 
-def _runs(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Trajectory) -> list[Run]:
+def _runs(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Recording) -> list[Run]:
     """One for each level of amplitude."""
     s = complex(modes.eigenvalues[i])
     length, pace = _duration(s)
@@ -99,11 +97,9 @@ def _runs(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Trajectory
     size = _amplitude(prepared, modes, i, p, still)
     found = []
     for level, factor in LEVELS:
-        points = [
-            _moved(prepared, modes, i, factor * size * complex(c), t, p)
-            for c, t in zip(change.tolist(), times.tolist(), strict=True)
-        ]
-        motion = rows_of(prepared, States(points=points, p=p), "modes")
+        moments = zip((factor * size * change).tolist(), times.tolist(), strict=True)
+        points = [_moved(prepared, modes, i, c, t, p) for c, t in moments]
+        motion = recording_of(prepared, points, "modes").motion
         found.append(Run(label=f"mode {i + 1}, {level}", motion=motion, span=(0.0, length), pace=pace))
     return found
 
@@ -124,39 +120,38 @@ def _moved(prepared: Prepared, modes: Modes, i: int, factor: complex, t: float, 
     shape = modes.shapes[i]
     count = len(at.q)
     change, rate = (factor * shape).real, (factor * s * shape).real
-    q = at.q + change[:count]
-    state = Point(t=t, q=q, qd=at.qd + rate[:count], z=at.z + change[count:], u=at.u, w=at.w, p=p)
-    return _closed(prepared, state, p)
+    state = Point(t=t, q=at.q + change[:count], qd=at.qd + rate[:count], z=at.z + change[count:], u=at.u, w=at.w, p=p)
+    return replace(state, q=_closed(prepared, state))
 
 
-def _closed(prepared: Prepared, state: Point, p: Floats) -> Point:
-    """Newton's method in the least norm: loops stay closed at finite amplitudes."""
-    q = state.q.copy()
+def _closed(prepared: Prepared, at: Point) -> Floats:
+    """Coordinates by Newton's method in the least norm: loops stay closed at finite amplitudes."""
+    q = at.q.copy()
     for _ in range(6):
-        phi, jacobian = prepared.engine.evaluate(
-            "position_constraint", state.t, q, state.qd, state.z, state.u, state.w, p
-        )
+        phi, jacobian = prepared.engine.evaluate("position_constraint", *replace(at, q=q).arguments)
         if not phi.size or float(np.max(np.abs(phi))) < 1e-10:
             break
         step = np.linalg.lstsq(jacobian, phi, rcond=None)[0]
         if not np.all(np.isfinite(step)):
             break
         q -= step
-    return Point(t=state.t, q=q, qd=state.qd, z=state.z, u=state.u, w=state.w, p=p)
+    return q
 
 
-def _amplitude(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Trajectory) -> float:
+def _amplitude(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Recording) -> float:
     """So large that the point that moves most is seen to move; a mode that moves none is seen on its gauges."""
     probe = 1e-5
-    moved = rows_of(prepared, States(points=[_moved(prepared, modes, i, probe, modes.point.t, p)], p=p), "modes")
-    first = len(still.columns) - len(prepared.scene.columns)
-    numbers = (np.array([column.values[0] for column in each.columns[first:]]) for each in (moved, still))
-    ahead, before = numbers
-    places = [column for shape in prepared.scene.shapes if shape.kind != "frame" for role, column in shape.numbers
-              if role in ("at", "to")]  # fmt: skip
-    points = np.array([before[column : column + 3] for column in places]).reshape(-1, 3)
-    steps = np.array([ahead[column : column + 3] - before[column : column + 3] for column in places]).reshape(-1, 3)
-    length = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
-    fastest = float(np.max(np.linalg.norm(steps, axis=1), initial=0.0)) / probe
+    moved = recording_of(prepared, [_moved(prepared, modes, i, probe, modes.point.t, p)], "modes")
+    ahead, before = (_places(each) for each in (moved, still))
+    length = float(np.linalg.norm(np.ptp(before, axis=0))) if len(before) else 0.0
+    fastest = float(np.max(np.linalg.norm(ahead - before, axis=1), initial=0.0)) / probe
     largest = _LARGEST / max(float(np.max(np.abs(modes.shapes[i][: len(modes.point.q)]), initial=0.0)), 1e-12)
     return min(_REACH * length / fastest, largest) if fastest * largest > 1e-6 * length > 0.0 else largest
+
+
+def _places(made: Recording) -> Floats:
+    """The places (n, 3) of the scene at the first row, but for frames."""
+    numbers = np.array([column.values[0] for column in made.motion.columns[-len(made.scene.columns) :]])
+    shapes = (shape for shape in made.scene.shapes if shape.kind != "frame")
+    firsts = [first for shape in shapes for role, first in shape.numbers if role in ("at", "to")]
+    return np.array([numbers[first : first + 3] for first in firsts]).reshape(-1, 3)

@@ -9,6 +9,7 @@ A small loader, the only script in the text, inflates the program of the page an
 from __future__ import annotations
 
 import json
+import zlib
 from base64 import b64encode
 from collections.abc import Sequence
 from functools import cache
@@ -18,22 +19,24 @@ from pathlib import Path
 
 import numpy as np
 
-from lagdsl.documents.page.arrows import arrows
-from lagdsl.documents.page.head import Json, head_of
+from lagdsl.derivation.scene.vectors import with_vectors
+from lagdsl.documents.page.head import Json, head_of, shapes_of
 from lagdsl.documents.page.packed import deflated, digits
-from lagdsl.documents.plot.picture.recording import Recording, record_motion
+from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.documents.report.notation import GREEK
 from lagdsl.engines.backends.start import start_of
 from lagdsl.engines.backends.tape.emit import tape
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.resources import page_folder
 from lagdsl.foundation.source import SourceFile
 from lagdsl.language.flat.model import FlatModel
-from lagdsl.motion.pipeline import Compilation
+from lagdsl.motion.pipeline import Compilation, compile_observed
 from lagdsl.motion.signals.trajectory import Trajectory
 
 _ROWS = 601
 _LETTERS_OF_A_LINE = 56
+_LARGEST = 250_000  # bytes of the tape of arrows, deflated: it costs no more than a page may
 _TABS = {"sliders": "Sliders", "curves": "Curves", "derivation": "Equations", "source": "Model", "table": "Values"}
 
 
@@ -51,14 +54,23 @@ def page(
     Notes of the run go to `sink`, and so do the errors of a run that ends early: the page shows the motion so far.
     Raises CompilationFailed where there is no motion at all.
     """
-    made = record_motion(flat, wishes, _ROWS, sink, compilation)
+    made = recorded(prepare(flat, wishes.start, compilation), wishes, _ROWS, sink)
     x = starts_of(made)
     t, compiled = made.span[0], made.prepared.compilation
     head = head_of(made, wishes, source)
     made_tape = tape(compiled.program, start_of(compiled.flat, t, x))
-    first = len(made.motion.columns) - len(made.prepared.living.scene.columns) - len(made.prepared.own.outputs)
-    pointed, arrow_tape = arrows(flat, compiled, wishes.start, (t, x), first, source)
-    return html_of(flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape, compiled)
+    first = len(made.motion.columns) - len(made.scene.columns) - len(made.prepared.own.outputs)
+    pointed: Json = None
+    arrow_tape = b""
+    arrows = with_vectors(flat, wishes.start)
+    if arrows.scene.shapes:
+        observed = compile_observed(compiled, arrows.flat)
+        arrow_tape = tape(observed.program, start_of(observed.flat, t, x))
+        if len(zlib.compress(arrow_tape)) <= _LARGEST:
+            pointed = {"first": first, "shapes": shapes_of(arrows.scene, source), "letters": GREEK}
+    return html_of(
+        flat, {**head, "vectors": pointed}, [made.motion], made_tape, arrow_tape if pointed else b"", compiled
+    )
 
 
 def starts_of(made: Recording) -> list[float]:

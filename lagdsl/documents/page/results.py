@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.documents.page.head import head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import States, recording_of
+from lagdsl.documents.page.states import recording_of
 from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
@@ -51,7 +51,7 @@ def results_page(
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))
         times, values = times[kept], {name: each[kept] for name, each in values.items()}
     p = parameters_of(prepared.engine.layout, Wishes(parameters=wishes.parameters))
-    made = recording_of(prepared, States(points=_points(prepared, times, values, p), p=p, events=_twice(times)), "file")
+    made = recording_of(prepared, _points(prepared, times, values, p), "file", _twice(times))
     motion = _as_recorded(prepared, made.motion, values)
     said = f"Recorded in {path.name}; nothing is integrated here."
     if flat.inputs:
@@ -82,23 +82,16 @@ def _checked(flat: FlatModel, tables: Tables, file: str) -> tuple[Floats, dict[s
 
 
 def _points(prepared: Prepared, times: Floats, values: Mapping[str, Floats], p: Floats) -> list[Point]:
-    layout = prepared.engine.layout
-    heads = heads_of(prepared.own)
-    names = {kind: [name for name, _, k, _ in heads if k == kind] for kind in _NEEDED}
-    blocks = {
-        kind: np.array([values[name] for name in each]).T.reshape(len(times), len(each)) for kind, each in names.items()
-    }
-    u = prepared.engine.evaluate("start", float(times[0]), p)[3]
-    w = np.zeros(len(layout.discretes))
-    if len(w):
-        w = np.array(prepared.engine.evaluate("discrete_start", float(times[0]), p)[0], dtype=np.float64)
-    found = []
-    for row, t in enumerate(times.tolist()):
-        w_row = w.copy()
-        w_row[: blocks["discrete"].shape[1]] = blocks["discrete"][row]
-        q, qd, z = (blocks[kind][row] for kind in ("coordinate", "rate", "state"))
-        found.append(Point(t=t, q=q, qd=qd, z=z, u=u, w=w_row, p=p))
-    return found
+    heads, count = heads_of(prepared.own), len(prepared.engine.layout.discretes)
+    q, qd, z, known = (
+        np.array([values[name] for name, _, k, _ in heads if k == kind]).reshape(-1, len(times)).T for kind in _NEEDED
+    )
+    t = float(times[0])
+    u = prepared.engine.evaluate("start", t, p)[3]
+    w = np.tile(prepared.engine.evaluate("discrete_start", t, p)[0] if count else np.zeros(0), (len(times), 1))
+    w[:, : known.shape[1]] = known
+    rows = zip(times.tolist(), q, qd, z, w, strict=True)
+    return [Point(t=t, q=q, qd=qd, z=z, u=u, w=w, p=p) for t, q, qd, z, w in rows]
 
 
 def _twice(times: Floats) -> tuple[float, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from lagdsl.documents.page.head import Json, head_of, occurrences
 from lagdsl.documents.page.page import html_of, starts_of
@@ -23,6 +24,7 @@ from lagdsl.motion.signals.trajectory import Trajectory
 _MOST_NUMBERS = 400_000
 _LEAST_ROWS, _MOST_ROWS = 61, 301
 MOST_RUNS = 200
+_OF_RUNS = ("parameters", "start", "inputs")
 
 
 @record(kw_only=True)
@@ -65,12 +67,8 @@ def sweep_page(
     runs: list[Run] = []
     failures: list[CompilationFailed] = []
     for label, setting in settings:
-        own = replace(
-            wishes,
-            parameters={**wishes.parameters, **setting.parameters},
-            start={**wishes.start, **setting.start},
-            inputs={**wishes.inputs, **setting.inputs},
-        )
+        values: dict[str, Any] = {name: {**getattr(wishes, name), **getattr(setting, name)} for name in _OF_RUNS}
+        own = replace(wishes, **values)
         try:
             made = recorded(prepared, own, rows, Sink())
         except CompilationFailed as failure:

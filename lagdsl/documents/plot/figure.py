@@ -25,7 +25,8 @@ _MOST_NAMED = 7  # curves in a legend; more runs have a scale of colors
 _MOST_DOTS = 200
 _WIDTH, _HEIGHT, _SQUARE = 8.0, 2.6, 4.6
 _TICKS = 5  # of the short axis of a path: numbers like -0.0015 stand beside each other
-_KINDS = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes", "output": "outputs"}
+_KINDS = {"coordinate": "coordinates", "rate": "rates", "state": "states", "discrete": "discretes", "output": "outputs",
+          "energy": ENERGY}  # fmt: skip
 
 
 @record(kw_only=True)
@@ -45,6 +46,20 @@ class Variation:
     unit: str
     values: Floats
     words: tuple[str, ...]
+
+    @property
+    def few(self) -> bool:
+        """So that a legend can name all runs."""
+        return len(self.values) <= _MOST_NAMED
+
+    def colors(self) -> list[Any]:
+        if self.few:
+            return [COLORS[k % len(COLORS)] for k in range(len(self.values))]
+        import matplotlib as mpl
+
+        low, high = float(np.min(self.values)), float(np.max(self.values))
+        parts = (self.values - low) / (high - low) if high > low else np.full(len(self.values), 0.5)
+        return list(mpl.colormaps["viridis"](parts))
 
 
 @record(kw_only=True)
@@ -83,46 +98,31 @@ def plot(trajectory: Trajectory, path: Path | str | None = None) -> Figure:
     for column in motion.columns[1:]:
         curve = bundle.curves[column.name]
         groups.setdefault((column.kind, curve.unit), []).append(curve)
-    energy = bool(np.any(np.isfinite(motion.energy)) and np.any(motion.energy))
-    heights = [1.5, *[1.0] * (len(groups) - 1 + energy)] if groups else [1.0]
+    if energy := _energy(motion):
+        groups["energy", energy.unit] = [energy]
+    heights = [1.5, *[1.0] * (len(groups) - 1)] if groups else [1.0]
     with sheet((8.0, 1.2 + 1.75 * sum(heights)), path) as figure:
         axes = list(figure.subplots(len(heights), 1, sharex=True, squeeze=False, height_ratios=heights)[:, 0])
         for panel, ((kind, _), curves) in zip(axes, groups.items(), strict=False):
-            _draw_kind(panel, bundle, _KINDS[kind], curves)
-        if energy:
-            _draw_energy(axes[-1], motion)
-        for panel in axes:
-            mark_events(panel, bundle.events, float(motion.time[-1] - motion.time[0]))
+            _draw_over_time(panel, bundle, [curves[:_MOST_CURVES]], _KINDS[kind], len(curves) - _MOST_CURVES)
+        if energy and energy.name != ENERGY:
+            axes[-1].ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
+            small: dict[str, Any] = {"ha": "right", "va": "bottom", "color": "#666666", "fontsize": 8}
+            axes[-1].text(1.0, 1.02, f"of {motion.energy[0]:.5g} J", transform=axes[-1].transAxes, **small)
         axes[-1].set_xlabel("time [s]")
         title(axes[0], motion.model)
-        axes[-1].set_xlim(float(motion.time[0]), float(motion.time[-1]) if len(motion) > 1 else None)
         figure.align_ylabels(axes)
     return figure
 
 
-def _draw_kind(panel: Axes, bundle: Bundle, kind: str, curves: Sequence[Curve]) -> None:
-    """All curves of a kind and a unit, as far as there are colors and lines; the label of a lone one is its name."""
-    for index, curve in enumerate(curves[:_MOST_CURVES]):
-        _draw_runs(panel, bundle, bundle.time[None, :], curve, index)
-    panel.set_ylabel(_axis_label(curves) if len(curves) == 1 else kind + in_brackets(curves[0].unit, "\n"))
-    panel.margins(y=0.08)
-    panel.ticklabel_format(axis="y", useOffset=False)
-    if len(curves) > 1:
-        more = f"and {len(curves) - _MOST_CURVES} more" if len(curves) > _MOST_CURVES else None
-        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=more, fontsize=8, handlelength=1.6)
-
-
-def _draw_energy(panel: Axes, motion: Trajectory) -> None:
-    """The energy itself where it changes visibly, its drift where it is conserved."""
+def _energy(motion: Trajectory) -> Curve | None:
+    """The energy itself where it changes visibly, its drift where it is conserved; none where there is none."""
+    if not (np.any(np.isfinite(motion.energy)) and np.any(motion.energy)):
+        return None
     change = motion.energy - motion.energy[0]
-    conserved = float(np.nanmax(np.abs(change))) < 1e-4 * float(np.nanmax(np.abs(motion.energy)))
-    panel.plot(motion.time, change if conserved else motion.energy, color="#555555")
-    panel.set_ylabel("energy drift\n[J]" if conserved else "energy\n[J]")
-    panel.margins(y=0.08)
-    if conserved:
-        panel.ticklabel_format(axis="y", style="sci", scilimits=(0, 0))
-        small: dict[str, Any] = {"ha": "right", "va": "bottom", "color": "#666666", "fontsize": 8}
-        panel.text(1.0, 1.02, f"of {motion.energy[0]:.5g} J", transform=panel.transAxes, **small)
+    if float(np.nanmax(np.abs(change))) < 1e-4 * float(np.nanmax(np.abs(motion.energy))):
+        return Curve(name="energy drift", unit="J", values=change[None, :])
+    return Curve(name=ENERGY, unit="J", values=motion.energy[None, :])
 
 
 def plot_of(
@@ -175,14 +175,14 @@ def draw_chosen(
 
 def _places(figure: Figure, panels: int, paths: int) -> tuple[list[Axes], list[Axes]]:
     """Axes of the paths, and those of the panels, which share their time."""
-    if not paths:
-        return [], list(figure.subplots(panels, 1, sharex=True, squeeze=False)[:, 0])
-    if not panels:
-        return list(figure.subplots(paths, 1, squeeze=False)[:, 0]), []
-    beside = figure.add_gridspec(1, 2, width_ratios=[_WIDTH, _SQUARE])
-    left = beside[0].subgridspec(panels, 1).subplots(sharex=True, squeeze=False)
-    right = beside[1].subgridspec(paths, 1).subplots(squeeze=False)
-    return list(right[:, 0]), list(left[:, 0])
+    widths = [width for count, width in ((panels, _WIDTH), (paths, _SQUARE)) if count]
+    beside = figure.add_gridspec(1, len(widths), width_ratios=widths)
+
+    def below(cell: int, count: int, *, shared: bool) -> list[Axes]:
+        found: Any = beside[cell].subgridspec(count, 1).subplots(sharex=shared, squeeze=False) if count else None
+        return list(found[:, 0]) if count else []
+
+    return below(-1, paths, shared=False), below(0, panels, shared=True)
 
 
 def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
@@ -194,7 +194,11 @@ def _by_units(curves: Sequence[Curve]) -> list[list[list[Curve]]]:
     return [groups[k : k + 2] for k in range(0, len(groups), 2)]
 
 
-def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve]]) -> None:
+def _draw_over_time(
+    panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve]], kind: str = "", more: int = 0
+) -> None:
+    """Curves over time, those of a second unit on an axis of their own. Several curves of a `kind` have that as their
+    label; so many `more` of them have no color."""
     twin = panel.twinx() if len(groups) > 1 else None
     drawn = 0
     for side, group in zip((panel, twin), groups, strict=False):
@@ -202,7 +206,8 @@ def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve
         for curve in group:
             _draw_runs(side, bundle, np.broadcast_to(bundle.time, curve.values.shape), curve, drawn)
             drawn += 1
-        side.set_ylabel(_axis_label(group), color=_ink(bundle, groups, drawn - len(group)))
+        label = kind + in_brackets(group[0].unit, "\n") if kind and len(group) > 1 else _axis_label(group)
+        side.set_ylabel(label, color=_ink(bundle, groups, drawn - len(group)))
         side.margins(y=0.08)
         _calm(side, group)
         side.ticklabel_format(axis="y", useOffset=False)
@@ -210,10 +215,15 @@ def _draw_over_time(panel: Axes, bundle: Bundle, groups: Sequence[Sequence[Curve
         twin.grid(visible=False)
         twin.spines["right"].set_visible(True)
     lines = [line for side in (panel, twin) if side is not None for line in side.lines]
-    if drawn > 1 and bundle.variation is None:
+    if drawn > 1 and kind:
+        left_out = f"and {more} more" if more > 0 else None
+        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=left_out, fontsize=8, handlelength=1.6)
+    elif drawn > 1 and bundle.variation is None:
         panel.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, fontsize=8, handlelength=1.6)
-    elif drawn > 1:
-        _tell_lines(panel, groups)
+    elif drawn > 1:  # dashes tell the columns, because colors tell the runs
+        names = [escaped(curve.name) for group in groups for curve in group]
+        styles = [(DARK, LINES[k % len(LINES)]) for k in range(drawn)]
+        panel.legend(handles=_handles(names, styles), loc="upper right", fontsize=8, handlelength=2.2)
     if len(bundle.time) > 1:
         panel.set_xlim(float(bundle.time[0]), float(bundle.time[-1]))
         mark_events(panel, bundle.events, float(bundle.time[-1] - bundle.time[0]))
@@ -234,39 +244,22 @@ def _ink(bundle: Bundle, groups: Sequence[Sequence[Curve]], first: int) -> str:
     return DARK
 
 
-def _tell_lines(panel: Axes, groups: Sequence[Sequence[Curve]]) -> None:
-    """Dashes tell the columns, because colors tell the runs."""
+def _handles(names: Sequence[str], styles: Sequence[tuple[Any, Any]]) -> list[Any]:
+    """Of a legend: a line for each name, by its color and its dashes."""
     from matplotlib.lines import Line2D
 
-    names = [curve.name for group in groups for curve in group]
-    handles = [
-        Line2D([], [], color=DARK, linestyle=LINES[k % len(LINES)], label=escaped(name)) for k, name in enumerate(names)
-    ]
-    panel.legend(handles=handles, loc="upper right", fontsize=8, handlelength=2.2)
+    return [Line2D([], [], color=c, linestyle=s, label=name) for name, (c, s) in zip(names, styles, strict=True)]
 
 
 def _draw_runs(panel: Axes, bundle: Bundle, x: Floats, curve: Curve, index: int) -> None:
     """Of a motion the curve in a color of its own; of a sweep a curve for each run."""
     if bundle.variation is None:
-        style = LINES[index // len(COLORS) % len(LINES)]
-        panel.plot(x[0], curve.values[0], color=COLORS[index % len(COLORS)], linestyle=style, label=escaped(curve.name))
-        return
-    runs = len(curve.values)
-    for k, color in enumerate(_run_colors(bundle)):
-        panel.plot(x[k], curve.values[k], color=color, linestyle=LINES[index % len(LINES)],
-                   linewidth=1.4 if runs <= 20 else 0.8, alpha=1.0 if runs <= 20 else 0.7)  # fmt: skip
-
-
-def _run_colors(bundle: Bundle) -> list[Any]:
-    assert bundle.variation is not None
-    values = bundle.variation.values
-    if len(values) <= _MOST_NAMED:
-        return [COLORS[k % len(COLORS)] for k in range(len(values))]
-    import matplotlib as mpl
-
-    low, high = float(np.min(values)), float(np.max(values))
-    parts = (values - low) / (high - low) if high > low else np.full(len(values), 0.5)
-    return list(mpl.colormaps["viridis"](parts))
+        colors, style = [COLORS[index % len(COLORS)]], LINES[index // len(COLORS) % len(LINES)]
+    else:
+        colors, style = bundle.variation.colors(), LINES[index % len(LINES)]
+    width, alpha = (1.4, 1.0) if len(colors) <= 20 else (0.8, 0.7)
+    for right, up, color in zip(x, curve.values, colors, strict=True):
+        panel.plot(right, up, color=color, linestyle=style, linewidth=width, alpha=alpha, label=escaped(curve.name))
 
 
 def _draw_paths(panel: Axes, bundle: Bundle, pairs: Sequence[tuple[Curve, Curve]]) -> None:
@@ -306,15 +299,13 @@ def _tell_runs(figure: Figure, panels: Sequence[Axes], bundle: Bundle) -> None:
     variation = bundle.variation
     if variation is None:
         return
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-    from matplotlib.lines import Line2D
-
-    if len(variation.values) <= _MOST_NAMED:
-        colors = _run_colors(bundle)
-        handles = [Line2D([], [], color=c, label=escaped(w)) for c, w in zip(colors, variation.words, strict=True)]
+    if variation.few:
+        handles = _handles([*map(escaped, variation.words)], [(color, "-") for color in variation.colors()])
         figure.legend(handles=handles, loc="outside right upper", fontsize=8)
         return
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
     scale = Normalize(float(np.min(variation.values)), float(np.max(variation.values)))
     label = escaped(variation.name) + in_brackets(variation.unit)
     figure.colorbar(ScalarMappable(scale, "viridis"), ax=list(panels), label=label, pad=0.02)

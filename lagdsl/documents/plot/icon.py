@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,7 +26,9 @@ def icon(trajectory: Trajectory) -> bytes:
         axes = figure.add_axes((0.08, 0.2, 0.84, 0.72))
         axes.set_axis_off()
         for color, column in zip(COLORS, trajectory.columns[1 : 1 + _CURVES], strict=False):
-            axes.plot(trajectory.time, _scaled(column.values), color=color, linewidth=2.2, solid_capstyle="round")
+            low, high = np.min(column.values), np.max(column.values)
+            heights = (column.values - low) / (high - low) if high > low else np.full(len(trajectory), 0.5)
+            axes.plot(trajectory.time, heights, color=color, linewidth=2.2, solid_capstyle="round")
         name = escaped(trajectory.model)
         size = min(_LARGEST, _WIDTH / max(len(name), 1))
         figure.text(0.5, 0.06, name, ha="center", va="bottom", fontsize=size, fontweight="bold", color=DARK)
@@ -38,10 +40,3 @@ def png(figure: Figure, dots: int = 110) -> bytes:
     file = BytesIO()
     figure.savefig(file, dpi=dots, format="png", metadata={"Software": None})
     return file.getvalue()
-
-
-def _scaled(values: Any) -> Any:
-    """Between -1 and 1, so that all curves are seen."""
-    middle = (np.max(values) + np.min(values)) / 2.0
-    size = (np.max(values) - np.min(values)) / 2.0
-    return (values - middle) / (size if size > 0.0 else 1.0)

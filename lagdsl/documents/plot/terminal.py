@@ -46,10 +46,10 @@ def sketch(trajectory: Trajectory, *, width: int | None = None, height: int = 4)
 def _marks(trajectory: Trajectory, width: int) -> str:
     """A mark where something happened, but for clocks; empty where nothing did."""
     first, last = trajectory.time[0], trajectory.time[-1]
-    line = [" "] * width
-    for event in trajectory.events:
-        if event.kind != "tick" and last > first:
-            line[min(int((event.time - first) / (last - first) * width), width - 1)] = _MARK
+    times = np.array([event.time for event in trajectory.events if event.kind != "tick"])
+    line = np.full(width, " ")
+    if last > first:
+        line[np.minimum((times - first) / (last - first) * width, width - 1).astype(int)] = _MARK
     return "".join(line).rstrip()
 
 
@@ -70,7 +70,6 @@ def braille(time: Floats, values: Floats, *, width: int, height: int) -> list[st
     low, high = (float(np.min(curve[seen])), float(np.max(curve[seen]))) if seen.any() else (0.0, 0.0)
     part = (high - curve) / (high - low) if high > low else np.full(len(curve), 0.5)
     cells = np.zeros((height, width), dtype=np.int64)
-    for index in np.flatnonzero(seen).tolist():
-        x, y = index // _FINE, round(float(part[index]) * (down - 1))
-        cells[y // 4, x // 2] |= _DOTS[y % 4][x % 2]
+    x, y = np.flatnonzero(seen) // _FINE, np.rint(part[seen] * (down - 1)).astype(int)
+    np.bitwise_or.at(cells, (y // 4, x // 2), np.array(_DOTS)[y % 4, x % 2])
     return ["".join(chr(_BLANK + cell) for cell in line) for line in cells.tolist()]

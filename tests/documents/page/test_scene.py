@@ -296,7 +296,7 @@ def branches(body: str) -> dict[str, list[str]]:
     """Symbols by charge."""
     found = scene(body)
     return {
-        each.name: [part.form for part in each.parts if part.form not in ("beam", "")]
+        each.name: [part.form for part in each.parts if part.form not in ("beam", "arrow")]
         for each in found.shapes
         if each.kind == "branch"
     }
@@ -321,7 +321,7 @@ def test_symbols_and_wires_of_a_circuit_meet_and_do_not_lie_on_each_other() -> N
         "Resistor c(R = 1 Ohm), d(R = 1 Ohm); Inductor l(L = 1 H); connect(s.p, a.p, b.p); connect(a.n, c.p, l.p);"
         "connect(b.n, d.p, l.n); connect(s.n, c.n, d.n, e.p);"
     )
-    strokes = [each for each in found if each.part.primitive == "surface"]
+    strokes = [each for each in found if each.has("to")]
     ends = [{tuple(np.round(each.vector(role), 9)) for role in ("at", "to")} for each in strokes]
     symbols = [k for k, each in enumerate(strokes) if each.part.form not in ("beam", "earth")]
     middles = {tuple(np.round(strokes[k].vector("at") + strokes[k].vector("to"), 9)) for k in symbols}
@@ -369,7 +369,7 @@ def test_a_load_on_a_coordinate_acts_at_the_thing_that_it_moves() -> None:
     body = "coordinate Length x; coordinate Angle q; gravity = 0; mass 1 kg at {2*x, 0}; force 3 N on x;"
     body += "frame f = world.rotx(q); body b(m = 1 kg, I = {1, 1, 1}*1 kg.m2) on f; torque 2 N.m on q;"
     found = {each.part.primitive + each.part.form: each for each in posed(body, x=1.0, q=0.3)}
-    np.testing.assert_allclose(found["arrow"].vector("vector"), [6.0, 0.0, 0.0])
+    np.testing.assert_allclose(found["surfacearrow"].vector("z"), [6.0, 0.0, 0.0])
     np.testing.assert_allclose(found["surfaceturning arrow"].vector("z"), [2.0, 0.0, 0.0], atol=1e-12)
 
 

@@ -19,7 +19,7 @@ from scipy.ndimage import binary_dilation
 from lagdsl.derivation.scene import living
 from lagdsl.derivation.scene.shapes import Scene
 from lagdsl.documents.plot.picture.draw import draw, prepared
-from lagdsl.documents.plot.picture.recording import record_motion, staged
+from lagdsl.documents.plot.picture.recording import prepare, recorded, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.language.flat.model import FlatModel
@@ -75,7 +75,7 @@ def test_page_and_picture_show_the_same_machine(name: str, browser: Any, tmp_pat
     assert file is not None
     flat = flatten_file(file, sink)
     assert flat is not None
-    made = record_motion(flat, Wishes(), 601)
+    made = recorded(prepare(flat), Wishes(), 601)
     picture = prepared(staged(flat, made.scene, [made.motion]))
     picture.figure.set_dpi(200)
     draw(picture, 0)

@@ -18,7 +18,7 @@ from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.draw import draw, prepared
 from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.film import write_film, write_picture
-from lagdsl.documents.plot.picture.recording import record_motion, staged
+from lagdsl.documents.plot.picture.recording import prepare, recorded, staged
 from lagdsl.documents.plot.picture.shapes import parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
@@ -45,7 +45,7 @@ def flat_of(name: str) -> FlatModel:
 @cache
 def stage(name: str) -> Stage:
     flat = flat_of(name)
-    made = record_motion(flat, Wishes(), 41)
+    made = recorded(prepare(flat), Wishes(), 41)
     return staged(flat, made.scene, [made.motion])
 
 
@@ -67,7 +67,7 @@ def test_every_machine_has_a_picture_that_holds_all_of_it(name: str) -> None:
         pixels = np.asarray(picture.figure.canvas.buffer_rgba())[..., :3].reshape(-1, 3)  # type: ignore[attr-defined]
         drawn = any(shape.kind != "frame" for shape in own.scene.shapes)
         assert (len(np.unique(pixels, axis=0)) > GRID) == drawn
-        for part in parts_of(own, row, without=("ground", "rail")):
+        for part in parts_of(own, row, without=("ground", "rail", "trace")):
             if isinstance(part, Faces):
                 places = picture.view.seen(part.corners)[0]
                 assert np.all(places >= picture.view.low) and np.all(places <= picture.view.high)
@@ -203,7 +203,7 @@ def test_a_view_that_follows_holds_the_machine_at_every_row_and_nothing_of_its_w
     assert narrow < 0.3 * wide
     for row in (0, 20, len(own.rows) - 1):
         view = near.at(row).view
-        for part in parts_of(own, row, without=("ground", "rail")):
+        for part in parts_of(own, row, without=("ground", "rail", "trace")):
             if isinstance(part, Faces):
                 places = view.seen(part.corners)[0]
                 assert np.all(places >= view.low) and np.all(places <= view.high)

@@ -13,7 +13,7 @@ import pytest
 
 import lagdsl
 from fmi.texts import export_text
-from lagdsl.documents.plot.picture.recording import record_motion
+from lagdsl.documents.plot.picture.recording import prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.backends.modelica.emit import ModelicaBackend
 from lagdsl.engines.backends.start import start_of
@@ -120,7 +120,7 @@ def test_modelica_has_them_as_discrete_outputs() -> None:
 
 
 def test_a_page_has_one_column_for_each() -> None:
-    made = record_motion(rig()._compilation.flat, Wishes(), rows=12)
+    made = recorded(prepare(rig()._compilation.flat), Wishes(), rows=12)
     names = [column.name for column in made.motion.columns]
     assert [names.count(name) for name in OUTPUTS] == [1] * len(OUTPUTS)
     assert made.motion.columns[names.index("meter.y")].values[-1] == pytest.approx(2.0)

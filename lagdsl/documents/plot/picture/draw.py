@@ -1,4 +1,4 @@
-"""A picture of a machine: faces from the back to the front, lines, names, the ground behind."""
+"""A picture of a machine: faces from the back to the front, names, the ground behind."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Ribbon, Words, lit
+from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Words, lit
 from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
 from lagdsl.documents.plot.picture.view import View, steps_of, view_of
 from lagdsl.documents.plot.sheet import escaped, sheet
@@ -85,15 +85,10 @@ def _paint(picture: Drawn, parts: Sequence[Painted], opacity: float) -> None:
     """Parts from the back to the front, face by face."""
     from matplotlib.collections import PolyCollection
 
-    seen: list[tuple[Floats, Floats, Floats]] = []
     for part in parts:
-        match part:
-            case Faces():
-                seen.append(_faces(picture.view, part))
-            case Ribbon():
-                seen.append(_ribbon(picture.view, part))
-            case Words():
-                _write(picture, part, opacity)
+        if isinstance(part, Words):
+            _write(picture, part, opacity)
+    seen = [_faces(picture.view, part) for part in parts if isinstance(part, Faces)]
     if not seen:
         return
     places, inks, depth = (np.concatenate(each) for each in zip(*seen, strict=True))
@@ -122,23 +117,6 @@ def _faces(view: View, part: Faces) -> tuple[Floats, Floats, Floats]:
     return places[front], inks[front], depth.mean(axis=1)[front]
 
 
-def _ribbon(view: View, part: Ribbon) -> tuple[Floats, Floats, Floats]:
-    """Quadrilaterals along the line, a little longer than its pieces, so that they join."""
-    points = part.points[np.all(np.isfinite(part.points), axis=1)]
-    places, depth, scale = view.seen(points)
-    ways = np.diff(places, axis=0)
-    sizes = np.linalg.norm(ways, axis=1)
-    kept = sizes > 1e-9 * float(view.high[0] - view.low[0])
-    a, b = places[:-1][kept], places[1:][kept]
-    ways = ways[kept] / sizes[kept, None]
-    half = 0.5 * part.width * scale[:-1][kept, None]
-    side = np.stack([-ways[:, 1], ways[:, 0]], axis=1) * half
-    longer = 0.5 * half * ways if part.opacity == 1.0 else 0.0 * ways
-    quads = np.stack([a - side - longer, b - side + longer, b + side + longer, a + side - longer], axis=1)
-    inks = np.broadcast_to([*part.color, part.opacity], (len(quads), 4)).copy()
-    return quads, inks, np.asarray((depth[:-1] + depth[1:])[kept] / 2.0)
-
-
 def _write(picture: Drawn, part: Words, opacity: float) -> None:
     """Text as text: `$` starts no formula."""
     place, _, scale = picture.view.seen(part.at)
@@ -154,32 +132,25 @@ def _ruled(picture: Drawn) -> None:
 
     stage, view = picture.stage, picture.view
     step = 10.0 ** np.floor(np.log10(stage.length / 2.0))
-    if stage.scene.planar:
-        center = view.center[:2]
-        low, high = view.low + center, view.high + center
-        ticks = [np.arange(np.ceil(a / step), np.floor(b / step) + 1) * step for a, b in zip(low, high, strict=True)]
-        lines = [[[x, low[1]], [x, high[1]]] for x in ticks[0]] + [[[low[0], y], [high[0], y]] for y in ticks[1]]
-        places = np.array(lines).reshape(-1, 2, 2) - center
-    else:
-        right, up, back = stage.axes
-        lowest = min(float(up @ stage.low), float(up @ stage.high)) - float(up @ stage.center) - 0.02 * stage.length
-        moved = (np.round((view.center - stage.center) @ axis / step) * step * axis for axis in (right, back))
-        middle, count = stage.center + lowest * up + sum(moved), int(np.ceil(1.5 * stage.length / step))
-        ends, reached = np.arange(-count, count + 1) * step, count * step
-        lines = [
-            [middle + s * axis - reached * other, middle + s * axis + reached * other]
-            for axis, other in ((right, back), (back, right)) for s in ends
-        ]  # fmt: skip
-        places = _clipped(view, np.array(lines))
+    right, up, back = stage.axes
+    lowest = min(float(up @ stage.low), float(up @ stage.high)) - 0.02 * stage.length
+    a, b, level = (right, up, 0.0 * up) if stage.scene.planar else (right, back, lowest * up)
+    middle = level + sum(np.round(view.center @ axis / step) * step * axis for axis in (a, b))
+    count = int(np.ceil(1.5 * stage.length / step))
+    marks, reached = np.arange(-count, count + 1)[:, None] * step, count * step
+    pairs = ((middle + marks * i, reached * j) for i, j in ((a, b), (b, a)))
+    lines = [np.stack([mark - way, mark + way], axis=1) for mark, way in pairs]
+    places = _clipped(view, np.concatenate(lines))
     picture.axes.add_collection(LineCollection(list(places), colors=GRID, linewidths=0.7, zorder=0.5), autolim=False)
 
 
 def _clipped(view: View, lines: Floats) -> Floats:
     """Of lines (n, 2, 3) in perspective the pieces before the viewer."""
+    if view.eye is None:
+        return view.seen(lines)[0]
     parts = np.linspace(0.0, 1.0, 33)[:, None, None]
     points = lines[None, :, 0] + parts * (lines[None, :, 1] - lines[None, :, 0])
     places, depth, _ = view.seen(points)
-    assert view.eye is not None
     ahead = depth < 0.9 * float(np.linalg.norm(view.eye - view.center))
     pieces = np.stack([places[:-1], places[1:]], axis=2)
     return np.asarray(pieces[ahead[:-1] & ahead[1:]])

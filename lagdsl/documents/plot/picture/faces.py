@@ -1,4 +1,4 @@
-"""Pieces that a picture is painted from: faces in space, ribbons along lines, words; colors and light."""
+"""Pieces that a picture is painted from: faces in space and words; colors and light."""
 
 from __future__ import annotations
 
@@ -34,16 +34,6 @@ class Faces:
 
 
 @record(kw_only=True)
-class Ribbon:
-    """A line through points (n, 3) [m], as wide in the picture as `width` [m] is there; `opacity` 0 to 1."""
-
-    points: Floats
-    width: float
-    color: Color
-    opacity: float = 1.0
-
-
-@record(kw_only=True)
 class Words:
     """A text at a point [m], as high as `size` [m]."""
 
@@ -52,7 +42,7 @@ class Words:
     size: float
 
 
-Painted = Faces | Ribbon | Words
+Painted = Faces | Words
 
 
 def color_of(part: Part) -> Color:
@@ -68,3 +58,17 @@ def lit(color: Color, normals: Floats) -> Floats:
     bright = np.clip(normals @ _SUN, 0.0, 1.0)[:, None]
     shade = np.array(color) * (0.62 + 0.43 * bright)
     return np.asarray(np.clip(shade + 0.10 * bright**8, 0.0, 1.0))
+
+
+def ribbon(points: Floats, width: float, towards: Floats, color: Color, opacity: float = 1.0) -> Faces:
+    """A line through points (n, 3) [m], turned `towards` the viewer (3,), its pieces a little longer than they are, so
+    that they join."""
+    points = points[np.all(np.isfinite(points), axis=1)]
+    ways = np.diff(points, axis=0)
+    across = np.cross(towards, ways)
+    sizes = np.linalg.norm(across, axis=1)
+    kept = sizes > 1e-9 * float(np.max(sizes, initial=0.0))
+    a, b, side = points[:-1][kept], points[1:][kept], 0.5 * width * across[kept] / sizes[kept, None]
+    longer = (0.5 if opacity == 1.0 else 0.0) * np.cross(side, towards)
+    corners = np.stack([a - side - longer, b - side + longer, b + side + longer, a + side - longer], axis=1)
+    return Faces(corners=corners, color=color, opacity=opacity, closed=False, flat=True)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lagdsl.documents.plot.picture.draw import Drawn, draw, prepared, save_picture
-from lagdsl.documents.plot.picture.recording import Recording, record_motion, staged
+from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
@@ -46,7 +46,7 @@ def write_picture(
     CompilationFailed where there is no motion, ValueError for a time that is not part of it or a model without a place
     to draw, ModuleNotFoundError without Matplotlib.
     """
-    made = record_motion(flat, wishes, _ROWS, sink)
+    made = recorded(prepare(flat, wishes.start), wishes, _ROWS, sink)
     rows = _rows_at(made, times or [made.span[0]])
     picture, stamps = _prepared(flat, made, follow=follow)
     last = float(stamps[rows[-1]])
@@ -62,7 +62,7 @@ def write_film(
     end = flat.experiment.stop_time if wishes.stop is None else wishes.stop
     seconds = min(max(end - t, _SHORTEST), _LONGEST)
     count = round(seconds * _RATE)
-    made = record_motion(flat, wishes, count + 1, sink)
+    made = recorded(prepare(flat, wishes.start), wishes, count + 1, sink)
     picture, times = _prepared(flat, made, follow=follow)
     picture.figure.set_dpi(_DOTS)
     frames, shown = [], np.linspace(t, end, count + 1)

@@ -37,10 +37,6 @@ class Prepared:
     compilation: Compilation
     engine: Engine
 
-    @property
-    def scene(self) -> Scene:
-        return self.living.scene
-
 
 @record(kw_only=True)
 class Recording:
@@ -56,7 +52,7 @@ class Recording:
 
     @property
     def scene(self) -> Scene:
-        return self.prepared.scene
+        return self.prepared.living.scene
 
 
 def prepare(flat: FlatModel, starts: Collection[str] = (), compilation: Compilation | None = None) -> Prepared:
@@ -73,20 +69,13 @@ def prepare(flat: FlatModel, starts: Collection[str] = (), compilation: Compilat
     return Prepared(own=own, living=shown, compilation=made, engine=engine_of(made.program))
 
 
-def record_motion(
-    flat: FlatModel, wishes: Wishes, rows: int, sink: Sink | None = None, compilation: Compilation | None = None
-) -> Recording:
-    """`recorded` of a model that is compiled for it, from its `compilation` if there is one."""
-    return recorded(prepare(flat, wishes.start, compilation), wishes, rows, sink)
-
-
 def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = None) -> Recording:
     """The motion with `rows` rows of equal distance, and two at the time of an event.
 
     Notes of the run and of meshes go to `sink`, and so do the errors of a run that ends early: the motion so far is
     the result. Raises CompilationFailed where there is no motion at all, ValueError for options that make no sense.
     """
-    meshes_of(prepared.scene.shapes, sink)
+    meshes_of(prepared.living.scene.shapes, sink)
     experiment = prepared.own.experiment
     p = parameters_of(prepared.engine.layout, wishes)
     t = experiment.start_time

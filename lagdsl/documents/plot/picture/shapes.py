@@ -1,4 +1,4 @@
-"""The parts of the scene as faces, ribbons and words, at one row of a motion."""
+"""The parts of the scene as faces and words, at one row of a motion."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from collections.abc import Collection
 import numpy as np
 
 from lagdsl.derivation.scene.forms import form
-from lagdsl.derivation.scene.posed import HEAD, NECK, SHAFT, Posed, axes_along, matrix_of, placed
+from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.shapes import Shape, ShapeKind
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.documents.plot.picture.faces import Color, Faces, Painted, Ribbon, Words, color_of
-from lagdsl.foundation.meshes.triangles import thinned
+from lagdsl.documents.plot.picture.faces import Color, Faces, Painted, Words, color_of, ribbon
+from lagdsl.foundation.meshes.triangles import Triangles, thinned
 from lagdsl.foundation.numerics.rank import Floats
 
 GAUGES: tuple[ShapeKind, ...] = ("slider", "dial")
@@ -26,7 +26,7 @@ def parts_of(stage: Stage, row: int, without: Collection[ShapeKind] = ()) -> lis
             continue
         for part in shape.parts:
             posed = Posed(stage, part, 0 if part.still else row)
-            if posed.finite():
+            if posed.is_seen():
                 found += _painted(posed, shape, number)
     return found
 
@@ -35,29 +35,23 @@ def _painted(posed: Posed, shape: Shape, number: int) -> list[Painted]:
     part, color, stage = posed.part, color_of(posed.part), posed.stage
     match part.primitive:
         case "surface":
-            unit = _corners(stage, number) if part.form == "file" else form(part.form, stage.around)
-            if unit is None:
+            if part.form == "file" and number not in stage.meshes:
                 return []
+            unit = _corners(stage.meshes[number]) if part.form == "file" else form(part.form, stage.around)
             matrix = posed.matrix()
             turned = unit[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0.0 else unit
             return [Faces(corners=placed(turned, matrix), color=color, opacity=part.opacity)]
         case "line":
-            return [Ribbon(points=posed.line(), width=2.0 * posed.size(part.sizes[2]), color=color)]
+            return [ribbon(posed.line(), 2.0 * posed.size(part.sizes[2]), stage.turn[2], color)]
         case "trace":
             return _trace(posed, color)
-        case "arrow":
-            return _arrow(posed, color)
         case "label":
-            return [
-                Words(text=dict(shape.texts).get("text", shape.name), at=posed.vector("at"), size=0.06 * stage.length)
-            ]
+            text, at = dict(shape.texts).get("text", shape.name), posed.vector("at")
+            return [Words(text=text, at=at, size=0.06 * stage.length)]
 
 
-def _corners(stage: Stage, number: int) -> Floats | None:
+def _corners(mesh: Triangles) -> Floats:
     """Triangles of a file as quadrilaterals (n, 4, 3) whose last corner is the third one again."""
-    mesh = stage.meshes.get(number)
-    if mesh is None:
-        return None
     few = thinned(mesh, _FEW)
     return np.asarray(few.points[few.corners[:, (0, 1, 2, 2)]])
 
@@ -66,24 +60,6 @@ def _trace(posed: Posed, color: Color) -> list[Painted]:
     """The way of a point so far, and faintly all of it."""
     first, width = dict(posed.part.numbers)["at"], 0.006 * posed.stage.length
     every = posed.stage.rows[:, first : first + 3]
-    found: list[Painted] = [Ribbon(points=every, width=width, color=color, opacity=0.2)]
-    if posed.row > 0:
-        found.append(Ribbon(points=every[: posed.row + 1], width=width, color=color))
-    return found
-
-
-def _arrow(posed: Posed, color: Color) -> list[Painted]:
-    at, way, length = posed.vector("at"), posed.way(), posed.stage.length
-    size = float(np.linalg.norm(way))
-    if size <= 1e-6 * length:
-        return []
-    head = min(NECK * length, 0.6 * size)
-    x, y, z = axes_along(way, None)
-    pieces = ((at, SHAFT, size - head, "cylinder"), (at + (size - head) * z, HEAD, head, "cone"))
-    return [
-        Faces(
-            corners=placed(form(name, posed.stage.around), matrix_of(x * r * length, y * r * length, z * long, start)),
-            color=color,
-        )
-        for start, r, long, name in pieces
-    ]
+    towards = posed.stage.turn[2]
+    way = [ribbon(every[: posed.row + 1], width, towards, color)] if posed.row > 0 else []
+    return [ribbon(every, width, towards, color, opacity=0.2), *way]

@@ -9,7 +9,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.shapes import ShapeKind
 from lagdsl.derivation.scene.stage import Stage, places_of
-from lagdsl.documents.plot.picture.faces import Faces, Ribbon, Words
+from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -77,9 +77,7 @@ def _solid(stage: Stage, steps: Floats | None) -> Floats:
     without = (*_ENDLESS, *(() if steps is None else GAUGES))
     for row in np.unique(np.linspace(0, len(stage.rows) - 1, _ROWS).round().astype(int)).tolist():
         parts = parts_of(stage, row, without=without)
-        own = [part.corners.reshape(-1, 3) for part in parts if isinstance(part, Faces)]
-        own += [part.points for part in parts if isinstance(part, Ribbon)]
-        own += [part.at[None, :] for part in parts if isinstance(part, Words)]
+        own = [part.corners.reshape(-1, 3) if isinstance(part, Faces) else part.at[None, :] for part in parts]
         found += own if steps is None else [points - steps[row] for points in own]
     shapes = (shape for shape in stage.scene.shapes if shape.kind != "frame")
     placed = any(role in ("at", "to") for shape in shapes for role, _ in shape.numbers)

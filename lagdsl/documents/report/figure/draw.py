@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 
+from lagdsl.derivation.scene.forms import triangles
 from lagdsl.derivation.scene.living import scene_of
 from lagdsl.derivation.scene.machine import gravity_of, up_of
-from lagdsl.derivation.scene.posed import Posed
+from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
 from lagdsl.documents.report.figure.labels import labelled
 from lagdsl.documents.report.figure.lettering import width
-from lagdsl.documents.report.figure.outlines import outlines
 from lagdsl.documents.report.figure.pose import Pose, pose
 from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Place, Role, Stroke, Style
 from lagdsl.documents.report.names import indexed
+from lagdsl.foundation.numerics.connected_blocks import connected_blocks
+from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -36,26 +39,40 @@ _LENGTHS: dict[Role, float] = {"motion": 0.3, "load": 0.26, "weight": 0.2, "coor
 _LINES: dict[str, Style] = {"rod": "rod", "rope": "thin"}
 # Kinds that this drawing tells by marks of its own, forms that lie within others or come from files, and the ground.
 _OWN_MARKS = frozenset({"frame", "force", "torque", "trace", "text", "arrow", "slider", "dial"})
-_UNSEEN = frozenset({"octants", "marks", "file"})
+_UNSEEN = frozenset({"octants", "marks", "file", "arrow"})
 _STANDS = frozenset({"ground", "rail", "plane ground", "plane rail"})
 
 
 @dataclass
 class _Sheet:
-    """Marks in the plane of the picture, in meters; `project` takes places in space to it."""
+    """Marks by their places in the plane of the picture, in meters, and what is made of these on a page.
+
+    `project` takes places in space to the plane. Ground lines reach the edges: they are not counted for the extent.
+    """
 
     project: Callable[[Floats], Floats]
     size: float = 1.0
-    strokes: list[tuple[list[Floats], Style]] = field(default_factory=list)
-    balls: list[tuple[Floats, float, bool]] = field(default_factory=list)
-    arrows: list[tuple[list[Floats], Role, Box | None, int]] = field(default_factory=list)
-    names: list[tuple[Floats, Box]] = field(default_factory=list)
+    marks: list[tuple[Sequence[Floats], Callable[..., Stroke | Ball | Arrow | Caption]]] = field(default_factory=list)
+    extent: list[Floats] = field(default_factory=list)
 
-    def stroke(self, points: Sequence[Floats], style: Style) -> None:
-        self.strokes.append(([self.project(point) for point in points], style))
+    def outline(self, seen: Sequence[Floats], style: Style) -> None:
+        self.extent += () if style == "ground" else seen
+        self.marks.append((seen, lambda *at: Stroke(_across(*at) if style == "ground" else at, style)))
 
-    def arrow(self, points: Sequence[Floats], role: Role, label: Box | None, number: int = 0) -> None:
-        self.arrows.append(([self.project(point) for point in points], role, label, number))
+    def stroke(self, points: Iterable[Floats], style: Style) -> None:
+        self.outline(list(map(self.project, points)), style)
+
+    def ball(self, place: Floats, radius: float, *, hollow: bool) -> None:
+        self.extent.append(self.project(place))
+        self.marks.append((self.extent[-1:], lambda at: Ball(at, radius, hollow)))
+
+    def arrow(self, points: Iterable[Floats], role: Role, label: Box | None, number: int = 0) -> None:
+        seen = list(map(self.project, points))
+        self.extent += seen
+        self.marks.append((seen, lambda *at: Arrow(at, role, label, at[-1], number)))
+
+    def name(self, place: Floats, label: Box) -> None:
+        self.marks.append(([self.project(place)], lambda at: Caption(at, label, at)))
 
 
 def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure | None:
@@ -65,8 +82,7 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     found = pose(flat, compilation)
     if found is None:
         return None
-    places = [place for each in found.carriers if (place := found.vector(each)) is not None]
-    if not places or not any(_moved(found, item.name) for item in flat.coordinates):
+    if not any(map(found.has, found.carriers)) or not any(_moved(found, item.name) for item in flat.coordinates):
         return None
     scene = scene_of(flat)
     row = np.array([[found.scalar(each) for each in scene.columns]])
@@ -74,8 +90,7 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     sheet = _Sheet(lambda point: np.asarray(stage.turn[:2] @ point))
     _parts(sheet, stage)
     _masses(sheet, found)
-    shown = [point for points, _ in sheet.strokes for point in points] + [place for place, _, _ in sheet.balls]
-    spread = np.ptp(np.array(shown), axis=0)
+    spread = np.ptp([each for seen, _ in sheet.marks for each in seen], axis=0)
     sheet.size = float(max(spread)) or 1.0
     if drawn.in_full:
         _motions(sheet, found, drawn)
@@ -94,10 +109,10 @@ def _parts(sheet: _Sheet, stage: Stage) -> None:
             continue
         for part in shape.parts:
             posed = Posed(stage, part, 0)
-            if not posed.finite() or part.form in _UNSEEN:
+            if not posed.is_seen() or part.form in _UNSEEN:
                 continue
             if part.primitive == "line":
-                sheet.stroke(list(posed.line()), "thin")
+                sheet.stroke(posed.line(), "thin")
             elif part.primitive != "surface":
                 continue
             elif part.form in _STANDS:
@@ -107,21 +122,40 @@ def _parts(sheet: _Sheet, stage: Stage) -> None:
                 sheet.stroke([posed.vector("at"), posed.vector("to")], _LINES[shape.kind])
             else:
                 for points in outlines(part.form, posed.matrix(), sheet.project):
-                    sheet.strokes.append((points, "outline"))
+                    sheet.outline(points, "outline")
+
+
+def outlines(form: str, matrix: Floats, project: Callable[[Floats], Floats]) -> list[list[Floats]]:
+    """Closed lines around a unit form that `matrix` (4, 4) places, seen by `project`."""
+    found = []
+    for piece in _pieces(form):
+        seen = np.array([project(point) for point in placed(piece, matrix)])
+        rim = hull(seen)
+        found.append([seen[k] for k in (*rim, rim[0])])
+    return found
+
+
+@cache
+def _pieces(form: str) -> list[Floats]:
+    """Points (n, 3) of the connected parts of a form."""
+    mesh = triangles(form)
+    touched = np.zeros((len(mesh.corners), len(mesh.points)), dtype=bool)
+    np.put_along_axis(touched, mesh.corners, True, axis=1)
+    labels = connected_blocks(touched).column_labels
+    return [mesh.points[labels == k] for k in np.unique(labels)]
 
 
 def _masses(sheet: _Sheet, found: Pose) -> None:
     points = len(found.flat.masses)
-    for number, expression in enumerate(found.carriers):
-        place = found.vector(expression)
-        if place is not None:
-            sheet.balls.append((sheet.project(place), 5.0 if number < points else 6.0, number >= points))
+    for number, place in enumerate(map(found.vector, found.carriers)):
+        if np.isfinite(place).all():
+            sheet.ball(place, 5.0 if number < points else 6.0, hollow=number >= points)
 
 
 def _moved(found: Pose, coordinate: str) -> list[tuple[int, fx.FlatExpression, Floats]]:
     """Masses that a coordinate moves, with the derivatives of their places."""
     rates = ((k, each, found.rate(each, coordinate)) for k, each in enumerate(found.carriers))
-    return [(k, each, rate) for k, each, rate in rates if rate is not None and np.linalg.norm(rate) > 1e-9]
+    return [(k, each, rate) for k, each, rate in rates if np.linalg.norm(rate) > 1e-9]
 
 
 def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
@@ -129,24 +163,21 @@ def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     if len(found.carriers) > _MOST_NAMES:
         return
     for expression, label in zip(found.carriers, drawn.carriers, strict=True):
-        place = found.vector(expression)
-        if place is not None and width(label) <= _LONGEST_NAME:
-            sheet.names.append((sheet.project(place), label))
+        if found.has(expression) and width(label) <= _LONGEST_NAME:
+            sheet.name(found.vector(expression), label)
 
 
 def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """∂r/∂q of every mass that a coordinate moves; arrows of one coordinate have one scale."""
-    moved = [(number, item, _moved(found, item.name)) for number, item in enumerate(drawn.flat.coordinates)]
-    count = sum(len(each) for _, _, each in moved)
+    moved = [_moved(found, item.name) for item in drawn.flat.coordinates]
+    count = sum(map(len, moved))
     if count > _MOST_ARROWS:
         return
-    for number, item, own in moved:
+    for number, own in enumerate(moved):
         longest = max((float(np.linalg.norm(rate)) for _, _, rate in own), default=1.0)
         q = drawn.coordinates[number]
         for k, expression, rate in own:
             place = found.vector(expression)
-            if place is None or item.name not in found.values:
-                continue
             few = count <= _MOST_LABELS
             label = Derivative("∂", indexed(bold(drawn.letter("r")), drawn.carriers[k]), q) if few else None
             end = place + rate / longest * _LENGTHS["motion"] * sheet.size
@@ -162,23 +193,24 @@ def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, num
         return
     _, expression, rate = own[0]
     place, speed = found.vector(expression), float(np.linalg.norm(rate))
-    curve = _curvature(found, expression, item.name)
-    if place is None:
-        return
-    if item.unit == "rad" and curve is not None and abs(np.linalg.norm(curve) - speed) < 1e-2 * speed:
+
+    def at(step: float) -> Floats:
+        return found.along(expression, item.name, step)
+
+    curve = (at(1e-3) - 2.0 * at(0.0) + at(-1e-3)) / 1e-6
+    if item.unit == "rad" and abs(np.linalg.norm(curve) - speed) < 1e-2 * speed:
         center = place + curve
         begin = 0.0 if 0.12 < abs(value) < 6.3 else value
         last = value if begin == 0.0 else value + 0.6
-        ways = [found.along(expression, item.name, s - value) for s in np.linspace(begin, last, 25)]
-        points = [center + (0.42 + 0.08 * (number % 3)) * (each - center) for each in ways if each is not None]
-        start = found.along(expression, item.name, begin - value)
-        if start is not None and begin == 0.0:
-            sheet.stroke([center, center + 0.7 * (start - center)], "reference")
+        ways = [at(s - value) for s in np.linspace(begin, last, 25)]
+        if begin == 0.0:
+            sheet.stroke([center, center + 0.7 * (ways[0] - center)], "reference")
+        points = [center + (0.42 + 0.08 * (number % 3)) * (each - center) for each in ways]
         sheet.arrow(points, "coordinate", label, number)
         return
-    begin_at = found.along(expression, item.name, -value)
-    long = begin_at is not None and np.linalg.norm(place - begin_at) > 0.08 * sheet.size
-    start = begin_at if long and begin_at is not None else place
+    begin_at = at(-value)
+    long = np.linalg.norm(place - begin_at) > 0.08 * sheet.size
+    start = begin_at if long else place
     end = place if long else place + rate / speed * _LENGTHS["coordinate"] * sheet.size
     side = np.cross(end - start, [0.0, 0.0, 1.0])
     size = float(np.linalg.norm(side))
@@ -187,24 +219,11 @@ def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, num
     sheet.arrow([start + shift, end + shift], "coordinate", label, number)
 
 
-def _curvature(found: Pose, expression: fx.FlatExpression, coordinate: str) -> Floats | None:
-    """Second derivative of the place, by differences."""
-    behind, middle, ahead = (found.along(expression, coordinate, step) for step in (-1e-3, 0.0, 1e-3))
-    if behind is None or middle is None or ahead is None:
-        return None
-    return (ahead - 2 * middle + behind) / 1e-6
-
-
 def _turning(sheet: _Sheet, found: Pose, item: fm.Coordinate, label: Box, number: int) -> None:
     """An arc about the mass centre of the first body that the coordinate turns in its place."""
     for body, center in zip(found.flat.bodies, found.carriers[len(found.flat.masses) :], strict=True):
-        axes = [found.vector(fx.FrameAxis(body.frame, axis)) for axis in range(3)]
-        rates = [found.rate(fx.FrameAxis(body.frame, axis), item.name) for axis in range(3)]
-        place = found.vector(center)
-        if place is None or any(each is None for each in (*axes, *rates)):
-            continue
-        spin = 0.5 * sum((np.cross(a, r) for a, r in zip(axes, rates, strict=True)), np.zeros(3))  # type: ignore[arg-type]
-        if np.linalg.norm(spin) < 1e-9:
+        place, spin = found.vector(center), found.spin(body.frame, item.name)
+        if not (np.isfinite(place).all() and np.linalg.norm(spin) > 1e-9):
             continue
         normal = spin / np.linalg.norm(spin)
         first = np.cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])
@@ -218,9 +237,9 @@ def _loads(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """Forces that have a place; those of a long list without names."""
     for load in drawn.forces:
         at, force = found.vector(load.place), found.vector(load.force)
-        if at is None or force is None or np.linalg.norm(force) == 0.0:
+        if not (np.isfinite(at).all() and np.linalg.norm(force) > 0.0):
             continue
-        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size * load.sign
+        way = force / np.linalg.norm(force) * _LENGTHS["load"] * sheet.size
         sheet.arrow([at, at + way], "load", load.label if len(drawn.forces) <= _MOST_LABELS else None)
 
 
@@ -230,18 +249,15 @@ def _weights(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
         return
     few = len(found.carriers) <= _MOST_LABELS
     for expression, label in zip(found.carriers, drawn.weights, strict=True):
-        place = found.vector(expression)
-        if place is not None:
+        if found.has(expression):
+            place = found.vector(expression)
             way = [place, place + down * _LENGTHS["weight"] * sheet.size]
             sheet.arrow(way, "weight", label if few else None)
 
 
 def _placed(sheet: _Sheet, words: str) -> Figure:
-    """The sheet in points of a page; ground lines do not count for its extent, they reach its edges."""
-    places = [point for points, style in sheet.strokes if style != "ground" for point in points]
-    places += [place for place, _, _ in sheet.balls]
-    places += [point for points, _, _, _ in sheet.arrows for point in points]
-    low, high = np.min(np.array(places), axis=0), np.max(np.array(places), axis=0)
+    """The sheet in points of a page."""
+    low, high = np.min(sheet.extent, axis=0), np.max(sheet.extent, axis=0)
     spread = np.maximum(high - low, 0.25 * float(max(*(high - low), 1e-9)))
     middle = (low + high) / 2
     scale = min((_WIDTH - 2 * _BESIDE) / spread[0], (_HIGHEST - 2 * _ABOVE) / spread[1])
@@ -251,18 +267,9 @@ def _placed(sheet: _Sheet, words: str) -> Figure:
         x, y = (place - middle) * scale + np.array([_WIDTH, height]) / 2
         return (round(float(x), 1), round(float(y), 1))
 
-    marks: list[Stroke | Ball] = []
-    for points, style in sheet.strokes:
-        marks.append(
-            Stroke(_across(at(points[0]), at(points[1])) if style == "ground" else tuple(map(at, points)), style)
-        )
-    marks += [Ball(at(place), radius, hollow) for place, radius, hollow in sheet.balls]
-    names = [Caption(place, label, place) for place, label in ((at(place), label) for place, label in sheet.names)]
-    pointing = []
-    for points, role, label, number in sheet.arrows:
-        own = tuple(map(at, points))
-        pointing.append(Arrow(own, role, label, own[-1], number))
-    return Figure(_WIDTH, round(height, 1), labelled((*marks, *names, *pointing), _WIDTH, height), words)
+    order = (Stroke, Ball, Caption, Arrow)
+    marks = sorted((make(*map(at, seen)) for seen, make in sheet.marks), key=lambda mark: order.index(type(mark)))
+    return Figure(_WIDTH, round(height, 1), labelled(marks, _WIDTH, height), words)
 
 
 def _across(a: Place, b: Place) -> tuple[Place, ...]:

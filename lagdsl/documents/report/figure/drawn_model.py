@@ -18,11 +18,8 @@ from lagdsl.language.flat import model as fm
 
 @dataclass(frozen=True, slots=True)
 class Force:
-    """`sign` times `force` acts at `place`."""
-
     place: fx.FlatExpression
     force: fx.FlatExpression
-    sign: float
     label: Box | None
 
 
@@ -48,7 +45,7 @@ def derived(page: Page) -> DrawnModel:
             continue
         label = Subscript(page.vector_letter("F"), Number(str(number)))
         place = load.origin if step.back and load.origin is not None else load.point
-        forces.append(Force(place, load.force, -1.0 if step.back else 1.0, label))
+        forces.append(Force(place, fx.Unary("-", load.force) if step.back else load.force, label))
     masses = [inertial.mass for inertial in page.derivation.inertials]
     return DrawnModel(
         flat=page.flat,
@@ -64,10 +61,10 @@ def derived(page: Page) -> DrawnModel:
 def outlined(flat: fm.FlatModel, notation: Notation) -> DrawnModel:
     """A machine that is told by chapters."""
     forces = [
-        Force(place, load.force, sign, None)
+        Force(place, force, None)
         for load in flat.loads
         if isinstance(load, fm.PointForce)
-        for place, sign in ((load.point, 1.0), (load.origin, -1.0))
+        for place, force in ((load.point, load.force), (load.origin, fx.Unary("-", load.force)))
         if place is not None
     ]
     return DrawnModel(

@@ -23,24 +23,9 @@ def pieces(box: boxes.Box, *, low: bool = False) -> list[tuple[str, bool]]:
         case boxes.Row(items):
             apart = [[("\u2009", low), *pieces(item, low=low)] for item in items]
             return [piece for item in apart for piece in item][1:]
-        case (
-            boxes.Name()
-            | boxes.Upright()
-            | boxes.Number()
-            | boxes.Operator()
-            | boxes.Sum()
-            | boxes.Fraction()
-            | boxes.Power()
-            | boxes.Root()
-            | boxes.Dotted()
-            | boxes.Call()
-            | boxes.Bracket()
-            | boxes.Marked()
-            | boxes.Cases()
-            | boxes.Column()
-            | boxes.Matrix()
-            | boxes.Unit()
-        ):
+        case (boxes.Name() | boxes.Upright() | boxes.Number() | boxes.Operator() | boxes.Sum() | boxes.Fraction()
+              | boxes.Power() | boxes.Root() | boxes.Dotted() | boxes.Call() | boxes.Bracket() | boxes.Marked()
+              | boxes.Cases() | boxes.Column() | boxes.Matrix() | boxes.Unit()):  # fmt: skip
             return [(line(box), low)]
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lagdsl.derivation.scene.drawings import mass_centre
-from lagdsl.derivation.scene.machine import number, vector_or_none
+from lagdsl.derivation.scene.machine import number, vector
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
@@ -16,7 +16,7 @@ from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.pipeline import Compilation, compile_flat
 
-_STEP = 1e-4
+_NONE: Mapping[str, float] = {}
 
 
 @dataclass(frozen=True)
@@ -27,25 +27,35 @@ class Pose:
     values: Mapping[str, float]
     carriers: tuple[fx.FlatExpression, ...]
 
-    def vector(self, expression: fx.FlatExpression, moved: Mapping[str, float] | None = None) -> Floats | None:
-        """Components [SI]; None where there is no finite value."""
-        return vector_or_none(self._at(moved or {}), expression)
+    def vector(self, expression: fx.FlatExpression, moved: Mapping[str, float] = _NONE) -> Floats:
+        """Components (3,) [SI]; nan where there is no finite value."""
+        return vector(Evaluator(self.flat, Values(variables={**self.values, **moved})), expression)
 
     def scalar(self, expression: fx.FlatExpression) -> float:
         """In SI units; nan where there is no value."""
-        return number(self._at({}), expression)
+        return number(Evaluator(self.flat, Values(variables=self.values)), expression)
 
-    def _at(self, moved: Mapping[str, float]) -> Evaluator:
-        return Evaluator(self.flat, Values(variables={**self.values, **moved}))
+    def has(self, expression: fx.FlatExpression) -> bool:
+        """Does a vector have a value?"""
+        return bool(np.isfinite(self.vector(expression)).all())
 
-    def along(self, expression: fx.FlatExpression, coordinate: str, by: float) -> Floats | None:
+    def along(self, expression: fx.FlatExpression, coordinate: str, by: float) -> Floats:
         """Place with one coordinate changed `by` so much, the others held."""
         return self.vector(expression, {coordinate: self.values[coordinate] + by})
 
-    def rate(self, expression: fx.FlatExpression, coordinate: str) -> Floats | None:
-        """Derivative by a coordinate, by central differences: four digits are more than a drawing has."""
-        behind, ahead = (self.along(expression, coordinate, sign * _STEP) for sign in (-1.0, 1.0))
-        return None if behind is None or ahead is None else (ahead - behind) / (2 * _STEP)
+    def rate(self, expression: fx.FlatExpression, coordinate: str) -> Floats:
+        """Derivative of a place by a coordinate."""
+        return vector(self._moving(coordinate), fx.Derivative(expression))
+
+    def spin(self, frame: str, coordinate: str) -> Floats:
+        """Derivative (3,) of the rotation of a frame by a coordinate."""
+        return vector(self._moving(coordinate), fx.AngularVelocity(frame))
+
+    def _moving(self, coordinate: str) -> Evaluator:
+        """The coordinate has the rate 1, everything else rests."""
+        rests = ("time", *self.values, *(state.name for state in self.flat.states))
+        rates = {**dict.fromkeys(rests, 0.0), coordinate: 1.0}
+        return Evaluator(self.flat, Values(variables=self.values, rates=rates))
 
 
 def pose(flat: FlatModel, compilation: Compilation | None = None) -> Pose | None:

@@ -17,35 +17,24 @@ export function lay([x, y, z]: [Vector3, Vector3, Vector3], sizes: [number, numb
   return new Matrix4().makeBasis(x, y, z).scale(new Vector3(...sizes)).setPosition(at);
 }
 
-/** Bends a geometry to a tube along points; its cross section does not twist. */
-export function tube(geometry: BufferGeometry, points: readonly Vector3[], radius: number): void {
-  const count = points.length;
-  const places = new Float32Array(3 * ROUND * count);
-  const normals = new Float32Array(3 * ROUND * count);
-  const faces: number[] = [];
+/** A tube along points; its cross section does not twist. */
+export function tube(points: readonly Vector3[], radius: number): BufferGeometry {
+  const [places, normals, faces]: number[][] = [[], [], []];
   const [way, out, side] = [new Vector3(), new Vector3(), new Vector3()];
-  for (let i = 0; i < count; ++i) {
-    way.subVectors(points[Math.min(i + 1, count - 1)], points[Math.max(i - 1, 0)]).normalize();
+  points.forEach((point, i) => {
+    way.subVectors(points[Math.min(i + 1, points.length - 1)], points[Math.max(i - 1, 0)]).normalize();
     out.addScaledVector(way, -out.dot(way));
     if (out.length() < 1e-3) out.copy(axesAlong(way, null)[0]);
-    out.normalize();
-    side.crossVectors(way, out);
+    side.crossVectors(way, out.normalize());
     for (let k = 0; k < ROUND; ++k) {
-      const [c, s] = [Math.cos((2 * Math.PI * k) / ROUND), Math.sin((2 * Math.PI * k) / ROUND)];
-      const at = 3 * (i * ROUND + k);
-      for (let axis = 0; axis < 3; ++axis) {
-        const normal = c * out.getComponent(axis) + s * side.getComponent(axis);
-        normals[at + axis] = normal;
-        places[at + axis] = points[i].getComponent(axis) + radius * normal;
-      }
-      if (i === 0) continue;
+      const angle = (2 * Math.PI * k) / ROUND;
+      const normal = out.clone().multiplyScalar(Math.cos(angle)).addScaledVector(side, Math.sin(angle));
+      normals.push(...normal);
+      places.push(...normal.multiplyScalar(radius).add(point));
       const [a, b] = [(i - 1) * ROUND + k, (i - 1) * ROUND + ((k + 1) % ROUND)];
-      faces.push(a, b, a + ROUND, b, b + ROUND, a + ROUND);
+      if (i > 0) faces.push(a, b, a + ROUND, b, b + ROUND, a + ROUND);
     }
-  }
-  geometry.setIndex(faces);
-  geometry.setAttribute("position", new Float32BufferAttribute(places, 3));
-  geometry.setAttribute("normal", new Float32BufferAttribute(normals, 3));
-  geometry.computeBoundingBox();
-  geometry.computeBoundingSphere();
+  });
+  const made = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places, 3));
+  return made.setAttribute("normal", new Float32BufferAttribute(normals, 3)).setIndex(faces);
 }

@@ -1,4 +1,4 @@
-// The machine is taken by hand: a place of it goes where it is pulled, a dial turns. The starts follow.
+// The machine is taken by hand: a place of it or the hand of a dial goes where it is pulled. The starts follow.
 import type { Vector3 } from "three";
 import type { Head } from "./head.ts";
 import type { Pull } from "./orders.ts";
@@ -6,12 +6,11 @@ import type { Held, Stage } from "./stage.ts";
 
 const FIRST = 3; // [pixels] that a click may move
 
-/** What the page does: it goes to its start with the present posture, pulls, or sets a start value [SI]. */
+/** What the page does: it goes to its start with the present posture, or pulls. */
 export interface Hands {
   ready(): boolean;
   begin(): void;
   pull(pull: Pull): void;
-  turn(name: string, to: (before: number) => number): void;
 }
 
 /** Coordinates with a start value of their own. */
@@ -26,7 +25,7 @@ export function grab(head: Head, stage: Stage, place: HTMLElement, hands: Hands)
   let held: Held | null = null;
   let [x, y] = [0, 0];
   let off: Vector3 | null = null; // from the place that is held to the pointer; null: nothing has moved yet
-  const starts = startsOf(head, stage.length);
+  const starts = startsOf(head, head.stage.length);
   // Before the camera sees it.
   place.addEventListener("pointerdown", (event) => {
     held = hands.ready() && event.button === 0 && starts.length > 0 && event.target === stage.canvas ? stage.held(event.clientX, event.clientY) : null;
@@ -43,14 +42,9 @@ export function grab(head: Head, stage: Stage, place: HTMLElement, hands: Hands)
       off = stage.facingPlace(x, y, held.point).place.sub(held.point);
     }
     const { place: there, across } = stage.facingPlace(event.clientX, event.clientY, held.point);
-    if (held.shape.kind !== "dial") {
-      hands.pull({ parts: held.parts, goal: there.sub(off).toArray(), across: across.map((each) => each.toArray()), starts });
-      return;
-    }
-    const [right, up] = across.map((each) => there.clone().sub(held?.point ?? there).dot(each));
-    const angle = Math.atan2(-right, up);
-    const whole = 2 * Math.PI;
-    hands.turn(`${held.shape.name}.start`, (before) => angle + whole * Math.round((before - angle) / whole));
+    const into = held.axes.clone().invert();
+    const goal = there.sub(off).applyMatrix4(into).toArray();
+    hands.pull({ parts: held.parts, goal, across: across.map((each) => each.transformDirection(into).toArray()), starts });
   });
   for (const end of ["pointerup", "pointercancel"] as const) place.addEventListener(end, () => (held = null));
 }

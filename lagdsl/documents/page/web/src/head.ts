@@ -39,7 +39,7 @@ export interface Shape {
 
 /** A primitive: what the fields mean stands in lagdsl/derivation/scene/shapes.py. */
 export interface Part {
-  primitive: "surface" | "line" | "trace" | "arrow" | "label";
+  primitive: "surface" | "line" | "trace" | "label";
   numbers: Record<string, number>;
   color: string;
   form?: string;
@@ -82,7 +82,7 @@ export interface Head {
   columns: Column[]; // of a row; the scene, the energy and two residuals follow
   scene: { first: number; count: number; shapes: Shape[] };
   meshes: PackedMesh[];
-  vectors?: { first: number; shapes: Shape[] } | null; // arrows, on a tape of their own
+  vectors?: { first: number; shapes: Shape[]; letters: Record<string, string> } | null; // arrows, on a tape of their own
   rows: number; // of the recorded motion
   events: Occurrence[];
   parameters: Quantity[]; // as the tape counts them

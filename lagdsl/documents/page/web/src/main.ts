@@ -1,23 +1,21 @@
 // The living page: reads what it was told, shows it, and integrates anew when a slider moves.
 import { Curves } from "./curves.ts";
-import { choice, make, place } from "./dom.ts";
+import { buttons, choice, make, menu, place } from "./dom.ts";
 import { film, framed, save, table } from "./files.ts";
 import { grab } from "./grab.ts";
 import { inflated, loadFont, readHead, why, type Occurrence, type Head, type Shape, type Span } from "./head.ts";
 import { Influence } from "./influence.ts";
 import { keys } from "./keys.ts";
 import { Live, type Outcome } from "./live.ts";
+import { lines, Marks, overlap, terms } from "./marks.ts";
 import { geometryOf } from "./meshes.ts";
 import { recorded, together, type Motion } from "./motion.ts";
 import { SWITCHES } from "./overlay.ts";
 import { Player } from "./player.ts";
 import { runs } from "./runs.ts";
 import { shown, Sliders } from "./sliders.ts";
-import { Source } from "./source.ts";
 import { Stage } from "./stage.ts";
 import { tabs } from "./tabs.ts";
-import { overlap, Terms } from "./terms.ts";
-import { buttons, menu } from "./toolbar.ts";
 import { INTERRUPTED, type Pull } from "./orders.ts";
 
 const ROWS = 601;
@@ -34,8 +32,8 @@ class Page {
   private readonly sliders: Sliders;
   private readonly influence: Influence;
   private readonly curves: Curves;
-  private readonly source: Source;
-  private readonly terms: Terms;
+  private readonly source: Marks; // lines of the model
+  private readonly terms: Marks; // of the equations
   private readonly cells: HTMLElement[];
   private live: Live | null = null;
   private ghosts = false;
@@ -57,15 +55,15 @@ class Page {
     this.sliders = new Sliders(head, together(motions), place("sliders"), () => this.again());
     this.influence = new Influence(head, place("sliders"));
     this.curves = new Curves(head, motion, place("curves"), (time) => this.player.go(time));
-    this.source = new Source(head, place("source"), (line) => this.follow(line), (line) => this.toTerms(line));
-    this.terms = new Terms(head, place("derivation"), (spans) => this.mark(spans), (spans) => this.toSource(spans));
+    this.source = new Marks(lines(head, place("source")), (line) => this.mark(line?.spans ?? []), (line) => this.toTerms(line));
+    this.terms = new Marks(terms(head, place("derivation")), (term) => this.mark(term?.spans ?? [], { term: term?.element }), (spans) => this.toSource(spans));
     this.cells = this.values();
     const units = place("units") as HTMLInputElement;
     units.onchange = () => place("derivation").classList.toggle("units", units.checked);
     tabs(() => {
       this.tell();
       this.source.pin([]);
-      this.terms.pin(null);
+      this.terms.pin([]);
     });
     this.tools();
     this.keys();
@@ -74,7 +72,6 @@ class Page {
       ready: () => this.live !== null,
       begin: () => this.startHere(),
       pull: (pull) => this.again(pull),
-      turn: (name, to) => this.sliders.set(name, to),
     });
     if (location.hash === "#present") this.present(true);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.stage.theme());
@@ -190,25 +187,25 @@ class Page {
     this.pose(this.player.time);
   }
 
-  /** Things and lines that statements of the model stand behind. */
-  private mark(spans: Span[]): void {
-    const shapes = this.head.scene.shapes.filter(({ span }) => span !== null && spans.some((each) => overlap(each, span)));
+  /** Marks things, lines and terms that statements stand behind, or the thing or the term alone that is pointed at. */
+  private mark(spans: Span[], { shape, term, value = "" }: { shape?: Shape | undefined; term?: Element | undefined; value?: string } = {}): void {
+    const all = this.head.scene.shapes.filter(({ span }) => span !== null && overlap([span], spans));
+    const shapes = shape === undefined ? all : [shape];
     this.stage.highlight(shapes);
     this.source.mark(spans);
-    place("pointed").textContent = shapes.map((shape) => shape.name).join(", ");
-  }
-
-  private follow(line: Span | null): void {
-    this.mark(line === null ? [] : [line]);
-    this.terms.mark(line);
+    this.source.first(spans)?.scrollIntoView({ block: "nearest" });
+    this.terms.mark(term === undefined ? spans : []);
+    term?.classList.add("marked");
+    place("pointed").textContent = `${shapes.map(({ name }) => name).join(", ")}${value && `: ${value}`}`;
   }
 
   private toSource(spans: Span[]): void {
     place("source-tab").click();
     this.source.pin(spans);
+    this.source.first(spans)?.scrollIntoView({ block: "nearest" });
   }
 
-  private toTerms(line: Span): void {
+  private toTerms(line: Span[]): void {
     const term = this.terms.first(line);
     if (term === null) {
       this.say("No term of the equations comes from this line.");
@@ -329,7 +326,7 @@ class Page {
   /** The whole motion, frame by frame. */
   private async filmed(): Promise<void> {
     this.player.pause();
-    this.stage.filming(true);
+    this.stage.screen.filming(true);
     const first = this.motion.at(0, 0);
     const length = this.motion.last - first;
     const made = await framed(this.stage.canvas, Math.min(Math.max(length, 3), 10), (part) => {
@@ -338,7 +335,7 @@ class Page {
     });
     save(made, `${this.head.name}.gif`);
     this.say("The film is saved.");
-    this.stage.filming(false);
+    this.stage.screen.filming(false);
     this.pose(this.player.time);
   }
 
@@ -376,11 +373,7 @@ class Page {
       const found = this.stage.shapeAt(event.clientX, event.clientY);
       if (found === over) return;
       over = found;
-      this.stage.highlight(found === null ? [] : [found]);
-      this.source.mark(found?.span ? [found.span] : []);
-      this.terms.mark(found?.span ?? null);
-      const value = found === null ? "" : this.stage.value(found, this.numbers);
-      place("pointed").textContent = [found?.name ?? "", value].filter((words) => words !== "").join(": ");
+      this.mark(found?.span ? [found.span] : [], found === null ? {} : { shape: found, value: this.stage.value(found, this.numbers) });
     });
   }
 }

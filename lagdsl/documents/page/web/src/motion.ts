@@ -15,14 +15,18 @@ export class Motion {
     return this.values[row * this.width + column];
   }
 
+  /** The numbers of a row, as they stand. */
+  row(row: number): Float32Array | Float64Array {
+    return this.values.subarray(row * this.width, (row + 1) * this.width);
+  }
+
   get last(): number {
     return this.count > 0 ? this.at(this.count - 1, 0) : 0;
   }
 
   /** The last row that is not after t. */
   rowAt(t: number): number {
-    let low = 0;
-    let high = this.count - 1;
+    let [low, high] = [0, this.count - 1];
     while (low < high) {
       const middle = (low + high + 1) >> 1;
       if (this.at(middle, 0) <= t) low = middle;
@@ -37,10 +41,8 @@ export class Motion {
     const next = Math.min(row + 1, this.count - 1);
     const length = this.at(next, 0) - this.at(row, 0);
     const part = length > 0 ? Math.min(Math.max((t - this.at(row, 0)) / length, 0), 1) : 0;
-    for (let i = 0; i < this.width; ++i) {
-      const a = this.at(row, i);
-      into[i] = a + part * (this.at(next, i) - a);
-    }
+    const [a, b] = [this.row(row), this.row(next)];
+    for (let i = 0; i < this.width; ++i) into[i] = a[i] + part * (b[i] - a[i]);
     return into;
   }
 
@@ -79,10 +81,6 @@ export function recorded(head: Head, bytes: Uint8Array<ArrayBuffer>): Motion[] {
 /** All rows of several motions, for what looks at their extent only. */
 export function together(motions: Motion[]): Motion {
   if (motions.length === 1) return motions[0];
-  const values = new Float32Array(motions.reduce((sum, motion) => sum + motion.values.length, 0));
-  motions.reduce((from, motion) => {
-    values.set(motion.values, from);
-    return from + motion.values.length;
-  }, 0);
+  const values = Float32Array.from(motions.flatMap((motion) => [...motion.values]));
   return new Motion(motions[0].width, values);
 }

@@ -52,11 +52,3 @@ export function density(events: readonly { time: number; kind: string }[], start
 function partOf(time: number, start: number, stop: number, parts: number): number {
   return Math.min(Math.max(Math.floor((parts * (time - start)) / (stop - start || 1)), 0), parts - 1);
 }
-
-const LETTERS = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi chi psi omega".split(" ");
-const GREEK = "αβγδεζηθικλμνξοπρστυφχψω";
-
-/** A name whose words of Greek letters are these letters. */
-export function greek(name: string): string {
-  return name.replace(/[a-z]+/g, (word) => GREEK[LETTERS.indexOf(word)] ?? word);
-}

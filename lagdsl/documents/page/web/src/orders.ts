@@ -37,13 +37,12 @@ export interface Answer {
 }
 
 /** The place that is pulled, in a row. */
-export function placeIn(row: Float64Array, parts: Pull["parts"]): [number, number, number] {
+export function placeIn(row: ArrayLike<number>, parts: Pull["parts"]): [number, number, number] {
   const place: [number, number, number] = [0, 0, 0];
   for (const [column, weight, across] of parts) {
     for (let k = 0; k < 3; ++k) {
       const [i, j] = [(k + 1) % 3, (k + 2) % 3];
-      const own = across === undefined ? row[column + k] : row[column + i] * row[across + j] - row[column + j] * row[across + i];
-      place[k] += weight * own;
+      place[k] += weight * (across === undefined ? row[column + k] : row[column + i] * row[across + j] - row[column + j] * row[across + i]);
     }
   }
   return place;

@@ -2,8 +2,8 @@
 import type { Group } from "three";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { extremes, greek } from "./numbers.ts";
-import { drawn as made, vector, type Drawn, type Frame, type Sizes } from "./shapes.ts";
+import { extremes } from "./numbers.ts";
+import { drawn as made, vector, type Drawn, type Sizes } from "./shapes.ts";
 
 export type Vectors = NonNullable<Head["vectors"]>;
 
@@ -80,10 +80,6 @@ export class Overlay {
     }
   }
 
-  private get frame(): Frame {
-    return { numbers: this.numbers, first: this.vectors.first };
-  }
-
   pose(t: number): void {
     if (this.motion !== null && this.motion.count > 0) {
       const until = Math.min(t, this.motion.last);
@@ -93,14 +89,14 @@ export class Overlay {
     for (const drawn of this.drawn) {
       const chosen = this.coordinate === "" || (drawn.shape.texts.coordinate ?? this.coordinate) === this.coordinate;
       drawn.object.visible = this.shown.has(switchOf(drawn.shape)) && chosen && this.motion !== null;
-      if (drawn.object.visible) drawn.update(this.frame);
+      if (drawn.object.visible) drawn.update({ numbers: this.numbers, first: this.vectors.first });
       drawn.object.updateMatrixWorld(true);
     }
   }
 
   /** The value behind an arrow, with its unit. */
   value(shape: Shape): string {
-    return shape.kind === "friction" ? this.rubs(shape) : `${sizeText(vector(shape.numbers, "vector", this.frame).length())} ${unitOf(shape)}`;
+    return shape.kind === "friction" ? this.rubs(shape) : `${sizeText(vector(shape.numbers, "vector", { numbers: this.numbers, first: this.vectors.first }).length())} ${unitOf(shape)}`;
   }
 
   /** The value that the longest arrow of each switched kind stands for; what each friction does now. */
@@ -112,14 +108,18 @@ export class Overlay {
       if (shape === undefined || !this.shown.has(switchOf(shape)) || own.scales.force === 0) continue;
       const unit = unitOf(shape) === "1" ? "" : ` ${unitOf(shape)}`;
       const size = `${sizeText((LONGEST * this.sizes.length) / own.scales.force)}${unit}`;
-      if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${greek(name)}: ${size}`));
+      if (shape.kind === "admissible") moving.push(...this.movedIn(unitOf(shape)).map((name) => `∂r/∂${this.greek(name)}: ${size}`));
       else lines.push(`${shape.kind}: longest ${size}`);
     }
     if (moving.length > 0) lines.unshift(`longest ${moving.join(", ")}`);
     if (!this.shown.has("friction") || this.motion === null) return lines;
-    const told = [...new Map(this.frictions.map((shape) => [shape.name, `${shape.name}: ${this.rubs(shape)}`])).values()];
-    const more = told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [];
-    return [...lines, ...told.slice(0, MOST_TOLD), ...more];
+    const told = [...new Set(this.frictions.map((shape) => `${shape.name}: ${this.rubs(shape)}`))];
+    return [...lines, ...told.slice(0, MOST_TOLD), ...(told.length > MOST_TOLD ? [`and ${told.length - MOST_TOLD} more`] : [])];
+  }
+
+  /** A name whose words of Greek letters are these letters. */
+  private greek(name: string): string {
+    return name.replace(/[a-z]+/g, (word) => this.vectors.letters[word] ?? word);
   }
 
   /** Shown coordinates whose admissible motions have this unit. */

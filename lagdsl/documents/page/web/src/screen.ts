@@ -27,20 +27,14 @@ export class Screen {
   /** `redraw` is asked for when the machine rests: then software has time for a finer picture. */
   constructor(private readonly redraw: () => void) {
     const wishes = { alpha: false, depth: true, stencil: false, preserveDrawingBuffer: true };
-    const plain = document.createElement("canvas");
-    const context = plain.getContext("webgl2", { ...wishes, antialias: false });
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("webgl2", { ...wishes, antialias: false });
     // Smooth edges by several samples in each pixel take software several times as long.
-    if (context !== null && bySoftware(context)) {
-      this.software = true;
-      this.renderer = new WebGLRenderer({ canvas: plain, context, ...wishes });
-    } else {
-      this.software = false;
-      context?.getExtension("WEBGL_lose_context")?.loseContext();
-      this.renderer = new WebGLRenderer({ ...wishes, antialias: true });
-    }
+    this.software = context !== null && bySoftware(context);
+    if (!this.software) context?.getExtension("WEBGL_lose_context")?.loseContext();
+    this.renderer = new WebGLRenderer(context !== null && this.software ? { canvas, context, ...wishes } : { ...wishes, antialias: true });
     this.canvas = this.renderer.domElement;
-    this.fine = !this.software;
-    this.ratio();
+    this.ratio(!this.software);
   }
 
   size(width: number, height: number): void {
@@ -89,10 +83,7 @@ export class Screen {
   /** While pictures follow each other each has the pixels of the page; one that stays has more, and smooth edges. */
   private soften(): void {
     const resting = this.rest < 0;
-    if (this.fine !== resting) {
-      this.fine = resting;
-      this.ratio();
-    }
+    if (this.fine !== resting) this.ratio(resting);
     clearTimeout(this.rest);
     const now = performance.now();
     const calm = Math.min(Math.max(CALM_PICTURES * (now - this.before), CALM), LONGEST_CALM);
@@ -103,8 +94,9 @@ export class Screen {
     }, calm);
   }
 
-  private ratio(): void {
+  private ratio(fine: boolean): void {
+    this.fine = fine;
     const own = Math.min(window.devicePixelRatio, FINEST);
-    this.renderer.setPixelRatio(this.software ? (this.fine ? FINEST : Math.min(own, 1)) : own);
+    this.renderer.setPixelRatio(this.software ? (fine ? FINEST : Math.min(own, 1)) : own);
   }
 }

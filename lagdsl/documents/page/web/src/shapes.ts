@@ -9,7 +9,7 @@ import type { Motion } from "./motion.ts";
 
 /** Numbers of the scene at one moment, and the sizes that were chosen for this machine. */
 export interface Frame {
-  numbers: Float64Array;
+  numbers: ArrayLike<number>;
   first: number; // of the scene in a row
 }
 export interface Sizes {
@@ -30,8 +30,7 @@ export interface Drawn {
 }
 type Pieces = Pick<Drawn, "object" | "update" | "follow">;
 
-/** Of the machine: an arrow's tip, and the radii of its shaft and tip; the length of a direction. */
-const [NECK, SHAFT, HEAD, DIRECTION] = [0.05, 0.006, 0.018, 0.2];
+const SHORTEST = 1e-6; // of the machine: nothing is seen of a shorter arrow
 const OTHER = "#64748b";
 
 export function colour(part: Part): Color {
@@ -68,17 +67,18 @@ interface Place {
   axes: [Vector3, Vector3, Vector3]; // of length 1
   sizes: [number, number, number];
   at: Vector3;
+  seen: boolean; // its axis has a length
 }
 
 /** Where a part stands, and how it is stretched. */
 function place(part: Part, sizes: Sizes, frame: Frame): Place {
-  const { numbers } = part;
+  const { numbers, scale } = part;
   const at = vectorOf(part, "at", sizes, frame);
   const to = "to" in numbers ? vectorOf(part, "to", sizes, frame).sub(at) : null;
   const way = to ?? ("z" in numbers ? vectorOf(part, "z", sizes, frame) : new Vector3(0, 0, 1));
-  const own: [number, number, number] = [0, 1, 2].map((axis) => sizeOf(part, axis, sizes, frame)) as Place["sizes"];
-  if (part.scale) own.fill(way.length() * sizes.scales[part.scale]);
-  else if (to !== null) own[2] = way.length();
+  const shown = way.length() * (scale ? sizes.scales[scale] : 1);
+  const own = [0, 1, 2].map((axis) => sizeOf(part, axis, sizes, frame) * (scale && !part.sizes?.[axis][2] ? shown : 1)) as Place["sizes"];
+  if (!scale && to !== null) own[2] = shown;
   const axes = axesAlong(way, "x" in numbers ? vectorOf(part, "x", sizes, frame) : null);
   if (part.still) {
     const away = sizes.center.clone().sub(at);
@@ -86,7 +86,7 @@ function place(part: Part, sizes: Sizes, frame: Frame): Place {
     at.add("x" in numbers ? x.clone().multiplyScalar(away.dot(x)) : away.addScaledVector(z, -away.dot(z)));
   }
   at.addScaledVector(axes[2], (part.offset ?? 0) * sizes.length);
-  return { axes, sizes: own, at };
+  return { axes, sizes: own, at, seen: shown > (scale ? SHORTEST * sizes.length : 0) };
 }
 
 /** Triangles of a unit body, or of a file; nothing where the file has none. */
@@ -98,7 +98,8 @@ function surface(part: Part, shape: Shape, sizes: Sizes): Pieces {
   return {
     object,
     update(frame) {
-      const { axes, sizes: own, at } = place(part, sizes, frame);
+      const { axes, sizes: own, at, seen } = place(part, sizes, frame);
+      object.visible = seen;
       object.matrix.copy(lay(axes, own, at));
     },
   };
@@ -108,7 +109,6 @@ function surface(part: Part, shape: Shape, sizes: Sizes): Pieces {
  * as thick along its axis as the length is scaled. */
 function line(part: Part, _: Shape, sizes: Sizes): Pieces {
   const object = solid(part, new BufferGeometry());
-  object.userData.bent = true;
   let known = "";
   return {
     object,
@@ -125,31 +125,8 @@ function line(part: Part, _: Shape, sizes: Sizes): Pieces {
         const first = part.numbers.points;
         points = Array.from({ length: part.count ?? 0 }, (_, k) => vector({ at: first + 3 * k }, "at", frame));
       }
-      tube(object.geometry, points, radius);
-    },
-  };
-}
-
-/** From tail to tip. Loads are as long as they are large; a direction of the user has one length, two points theirs. */
-function arrow(part: Part, _: Shape, sizes: Sizes): Pieces {
-  const { length, forms, scales } = sizes;
-  const object = new Group();
-  const [shaft, tip] = ["cylinder", "cone"].map((name) => solid(part, forms.get(name) ?? new BufferGeometry()));
-  object.add(shaft, tip);
-  return {
-    object,
-    update(frame) {
-      const at = vector(part.numbers, "at", frame);
-      const way = "to" in part.numbers ? vector(part.numbers, "to", frame).sub(at) : vector(part.numbers, "vector", frame);
-      if (part.scale) way.multiplyScalar(scales[part.scale]);
-      else if (!("to" in part.numbers)) way.setLength(DIRECTION * length);
-      const whole = way.length();
-      object.visible = whole > 1e-6 * length;
-      if (!object.visible) return;
-      const head = Math.min(NECK * length, 0.6 * whole);
-      const axes = axesAlong(way, null);
-      shaft.matrix.copy(lay(axes, [SHAFT * length, SHAFT * length, whole - head], at));
-      tip.matrix.copy(lay(axes, [HEAD * length, HEAD * length, head], at.addScaledVector(axes[2], whole - head)));
+      object.geometry.dispose();
+      object.geometry = tube(points, radius);
     },
   };
 }
@@ -205,7 +182,7 @@ function written(part: Part, shape: Shape, sizes: Sizes): Pieces {
 }
 
 const MAKERS: Record<Part["primitive"], (part: Part, shape: Shape, sizes: Sizes) => Pieces> = {
-  surface, line, arrow, trace, label: written,
+  surface, line, trace, label: written,
 };
 
 /** A shape with all its parts; those that lie still stand where the motion begins. */
@@ -233,8 +210,7 @@ export function drawn(shape: Shape, sizes: Sizes): Drawn {
         sizes.boards[shape.parts[0].board ?? 0].scale(new Vector3((most || next) / next, 1, 1));
         most = next;
       }
-      const numbers = Float64Array.from({ length: motion.width }, (_, i) => motion.at(0, i));
-      for (const each of still) each.update({ numbers, first: sizes.first });
+      for (const each of still) each.update({ numbers: motion.row(0), first: sizes.first });
     },
   };
 }

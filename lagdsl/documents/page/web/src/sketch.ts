@@ -1,5 +1,6 @@
 // The picture as SVG: faces from the back to the front, names as text.
-import { Color, Line, LineSegments, Mesh, Sprite, Vector3, type Camera, type Object3D, type Scene } from "three";
+import { type BufferGeometry, Color, Line, Mesh, Sprite, Vector3, type Camera, type Object3D, type Scene } from "three";
+import { drawn } from "./dom.ts";
 import { SVGRenderer } from "three/examples/jsm/renderers/SVGRenderer.js";
 
 /** `width` and `height` in pixels. */
@@ -8,8 +9,8 @@ export function drawing(scene: Scene, camera: Camera, width: number, height: num
   const names: Sprite[] = [];
   scene.traverseVisible((object) => {
     if (object instanceof Sprite) names.push(object);
-    const empty = (object instanceof Line || object instanceof LineSegments) && (object.geometry.getAttribute("position")?.count ?? 0) === 0;
-    if (empty || object instanceof Sprite || (object instanceof Mesh && object.geometry.getAttribute("position") === undefined)) hidden.push(object);
+    const empty = (object instanceof Line || object instanceof Mesh) && !((object.geometry as BufferGeometry).getAttribute("position")?.count > 0);
+    if (empty || object instanceof Sprite) hidden.push(object);
   });
   for (const object of hidden) object.visible = false;
   const renderer = new SVGRenderer();
@@ -22,11 +23,8 @@ export function drawing(scene: Scene, camera: Camera, width: number, height: num
   svg.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   for (const sprite of names) {
     const at = sprite.getWorldPosition(new Vector3()).project(camera);
-    const text = document.createElementNS("http://www.w3.org/2000/svg", "text");
-    text.textContent = `${sprite.userData.words}`;
     const given = { x: (at.x * width) / 2, y: (-at.y * height) / 2, "text-anchor": "middle", "font-family": "sans-serif", "font-size": 12, fill: "#64748b" };
-    for (const [key, value] of Object.entries(given)) text.setAttribute(key, `${value}`);
-    svg.append(text);
+    svg.append(drawn("text", given, `${sprite.userData.words}`));
   }
   return new XMLSerializer().serializeToString(svg);
 }

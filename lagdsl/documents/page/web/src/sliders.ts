@@ -1,7 +1,6 @@
-// Sliders for parameters, start values and inputs.
-import { judged, snapped } from "./bounds.ts";
+// Sliders for parameters, start values and inputs: values that the model takes, and words on the others.
 import { make } from "./dom.ts";
-import type { Head, Quantity } from "./head.ts";
+import type { Display, Head, Quantity } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above, written } from "./numbers.ts";
 
@@ -11,6 +10,9 @@ const GROUPS: [Quantity["group"], string][] = [
   ["input", "More inputs"],
 ];
 const STEPS = 1000;
+/** Bounds are read in the units that are shown, and come out of them with rounding. */
+const ROUNDING = 1e-12;
+const DIGITS = 12;
 
 /** The range of a slider in SI units: declared, or a decade around the value; that of a start value holds the motion, too,
  * which reaches so far as `most`; an angle goes all around. */
@@ -28,8 +30,8 @@ function range(quantity: Quantity, most: number): [number, number] {
 }
 
 /** Four digits are what people read. */
-export function shown(quantity: { display: { scale: number; shift: number } }, si: number): string {
-  return written(si * quantity.display.scale + quantity.display.shift, 4);
+export function shown({ display }: { display: Display }, si: number, digits = 4): string {
+  return written(si * display.scale + display.shift, digits);
 }
 
 /** A name that may go on in another line behind its dots and lines, and before its indices. */
@@ -37,13 +39,46 @@ function breakable(name: string): (string | HTMLElement)[] {
   return name.split(/(?<=[._])|(?=\[)/).flatMap((part) => [part, make("wbr")]);
 }
 
+/** A value in SI units, without the rounding by which it misses a bound. */
+function snapped({ minimum, maximum, display }: Quantity, si: number): number {
+  const near = (bound: number): boolean =>
+    Math.abs(si - bound) <= ROUNDING * (Math.abs(bound) + Math.abs(display.shift / display.scale));
+  return [minimum, maximum].find((bound) => bound !== null && near(bound)) ?? si;
+}
+
+/** Nothing, or why it is a value that the model does not expect. */
+function fault(quantity: Quantity, si: number): string {
+  const { minimum, maximum } = quantity;
+  if (Number.isNaN(si)) return "this is no number";
+  const value = told(quantity, si);
+  if (!Number.isFinite(si)) return `${value} is not finite`;
+  if (quantity.kind !== "Real" && !Number.isSafeInteger(si)) return `${value} is no whole number below 2^53`;
+  if (minimum !== null && si < minimum) return `${value} is below min = ${told(quantity, minimum)}`;
+  if (maximum !== null && si > maximum) return `${value} is above max = ${told(quantity, maximum)}`;
+  return "";
+}
+
+/** Whether the model takes a value, and what there is to say of it: parameters and whole numbers have no meaning outside
+ * of their bounds; a start value or an input may lie there, as W0328 says. */
+function judged(quantity: Quantity, si: number, before: number): { taken: boolean; words: string } {
+  const words = fault(quantity, si);
+  const taken = Number.isFinite(si) && (words === "" || (quantity.group !== "parameter" && quantity.kind === "Real"));
+  if (words === "") return { taken, words };
+  return { taken, words: taken ? `${words}; the run takes it` : `${words}; the value stays ${told(quantity, before)}` };
+}
+
+function told(quantity: Quantity, si: number): string {
+  return `${shown(quantity, si, DIGITS)} ${quantity.display.unit}`.trim();
+}
+
 export class Sliders {
   readonly values: Map<Quantity, number>;
+  private readonly rows: (() => void)[] = []; // each shows its value anew
 
   constructor(
     private readonly head: Head,
     private readonly motion: Motion,
-    private readonly place: HTMLElement,
+    place: HTMLElement,
     private readonly changed: () => void,
   ) {
     this.values = new Map([...head.parameters, ...head.inputs].map((quantity) => [quantity, quantity.value]));
@@ -70,16 +105,8 @@ export class Sliders {
     this.reread();
   }
 
-  /** The same from the value before; the motion follows. */
-  set(name: string, to: (before: number) => number): void {
-    const found = this.head.parameters.find((quantity) => quantity.name === name);
-    if (found === undefined) return;
-    this.put(name, to(this.present(found)));
-    this.changed();
-  }
-
   private reread(): void {
-    this.place.querySelectorAll("input").forEach((input) => input.dispatchEvent(new Event("reread")));
+    for (const reread of this.rows) reread();
   }
 
   private present(quantity: Quantity): number {
@@ -143,7 +170,7 @@ export class Sliders {
       set(whole ? Math.round(si) : si);
     };
     field.onchange = () => set((field.valueAsNumber - quantity.display.shift) / quantity.display.scale);
-    bar.addEventListener("reread", reread);
+    this.rows.push(reread);
     const name = make("span", {}, ...breakable(title));
     const label = make("label", { title: quantity.doc ?? "" }, name, bar, field, make("span", { className: "unit", textContent: unit }), fault);
     label.ondblclick = () => set(quantity.value);

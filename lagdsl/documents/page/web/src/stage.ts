@@ -30,21 +30,21 @@ interface Moment {
   t: number;
 }
 
-/** A place of a thing, as a sum of vectors of a row, and where it is now. */
+/** A place of a thing, as a sum of vectors of a row, in the axes of a gauge or in the world, and where it is now. */
 export interface Held {
-  shape: Shape;
   parts: Pull["parts"];
   point: Vector3;
+  axes: Matrix4;
 }
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
-  private readonly screen: Screen;
+  readonly screen: Screen;
   private readonly scene = new Scene();
   private readonly camera: OrthographicCamera | PerspectiveCamera;
   private readonly controls: OrbitControls;
   private readonly drawn: Drawn[] = [];
-  private readonly box: Box3;
+  private readonly box = new Box3();
   private readonly sizes: Sizes;
   private readonly grid: GridHelper;
   private readonly ghosts = new Group();
@@ -71,7 +71,6 @@ export class Stage {
     this.canvas = Object.assign(this.screen.canvas, { role: "img", ariaLabel: `The machine ${head.name}, moving` });
     place.append(this.canvas);
     this.places = placesOf(head);
-    this.box = this.along(whole);
     const { length, scales, coil } = head.stage;
     const boards = head.stage.boards.map((board) => new Matrix4().fromArray(board));
     this.sizes = { length, scales, coil, boards, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
@@ -90,7 +89,7 @@ export class Stage {
     this.camera.add(sun);
     this.scene.add(this.camera, this.ghosts);
     this.furnish();
-    this.surround();
+    this.hold(this.motion);
     this.grid = this.ground(length);
     this.scene.add(this.grid, this.arrows);
     if (head.planar) this.arrows.position.z = 2 * length; // in front of everything, planes of contacts too
@@ -118,15 +117,15 @@ export class Stage {
   private along(motion: Motion): Box3 {
     const box = new Box3();
     const stride = Math.max(1, Math.floor(motion.count / ROWS_LOOKED_AT));
-    for (let row = 0; row < motion.count; row += stride) this.grow(box, (column) => motion.at(row, column));
+    for (let row = 0; row < motion.count; row += stride) this.grow(box, motion.row(row));
     if (box.isEmpty()) box.set(new Vector3(), new Vector3());
     return diagonal(box) === 0 ? box.expandByScalar(0.5) : box;
   }
 
   /** A box with all places of one row in it. */
-  private grow(box: Box3, at: (column: number) => number): Box3 {
+  private grow(box: Box3, numbers: ArrayLike<number>): Box3 {
     for (const column of this.places) {
-      const point = new Vector3(at(column), at(column + 1), at(column + 2));
+      const point = new Vector3(numbers[column], numbers[column + 1], numbers[column + 2]);
       if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
     }
     return box;
@@ -138,7 +137,8 @@ export class Stage {
     return box;
   }
 
-  /** The picture holds all places along the motion, and all things at some of its moments. The caller poses the machine. */
+  /** The picture holds all places along the motion, all things at some of its moments, and the gauges, which are alone
+   * where nothing else moves. The caller poses the machine. */
   private hold(motion: Motion): void {
     this.box.union(this.along(motion));
     const numbers = new Float64Array(motion.width);
@@ -147,6 +147,8 @@ export class Stage {
       this.set({ motion, numbers: motion.state(t, numbers), t });
       this.enclose(this.box);
     }
+    if (this.onlyGauges) this.box.makeEmpty();
+    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
   }
 
   /** Another motion. Where it leaves the picture the picture grows, unless somebody chose a view; a machine that flies
@@ -159,12 +161,6 @@ export class Stage {
     if (room.containsBox(found) || diagonal(found.union(this.box)) > FARTHEST * this.sizes.length) return;
     this.hold(motion);
     this.aim();
-  }
-
-  /** The directions right, up and towards the viewer, as one first sees the machine. */
-  private facing(): Matrix4 {
-    const [right, up, back] = this.head.stage.axes.map((axis) => new Vector3(...axis));
-    return new Matrix4().makeBasis(right, up, back);
   }
 
   /** Layers that one can switch. */
@@ -182,7 +178,7 @@ export class Stage {
     const center = middle(this.box);
     if (this.head.planar) {
       grid.rotation.x = Math.PI / 2;
-      grid.position.set(round(center.x, step), round(center.y, step), -0.2 * length);
+      grid.position.copy(center.divideScalar(step).round().multiplyScalar(step)).setZ(-0.2 * length);
       return grid;
     }
     const up = new Vector3(...this.head.stage.axes[1]);
@@ -199,15 +195,15 @@ export class Stage {
     const own = this.machine();
     const away = this.followed === null && diagonal(own) > 0 && diagonal(this.along(this.motion)) > AWAY * diagonal(own);
     this.followed = away ? middle(own) : null;
+    this.box.makeEmpty();
     if (away) this.box.copy(own.expandByScalar(0.2 * diagonal(own)));
-    else this.surround();
+    else this.hold(this.motion);
     this.aim();
   }
 
   /** The machine as it stands. */
   private machine(): Box3 {
-    const { numbers } = this.now ?? { numbers: [] };
-    return this.enclose(this.grow(new Box3(), (column) => numbers[column]));
+    return this.enclose(this.grow(new Box3(), this.now?.numbers ?? []));
   }
 
   /** The view goes with the machine. */
@@ -222,13 +218,6 @@ export class Stage {
     this.controls.update();
   }
 
-  private surround(): void {
-    this.box.makeEmpty();
-    this.hold(this.motion);
-    if (this.onlyGauges) this.box.makeEmpty();
-    for (const { object, shape } of this.drawn) if (isGauge(shape)) this.box.expandByObject(object);
-  }
-
   private aim(): void {
     this.grid.scale.setScalar(Math.max(above((0.8 * diagonal(this.box)) / Math.SQRT2 / this.sizes.length), 1));
     this.controls.target.copy(middle(this.box));
@@ -238,10 +227,9 @@ export class Stage {
 
   /** The box fills the picture, with a margin. */
   private fit(aspect: number): void {
-    const center = middle(this.box);
+    const [center, size] = [middle(this.box), this.box.getSize(new Vector3())];
     const { length } = this.sizes;
     if (this.camera instanceof OrthographicCamera) {
-      const size = this.box.getSize(new Vector3());
       const margin = 0.12 * Math.max(size.x, size.y, 0.2 * length);
       const half = Math.max(size.y / 2 + margin, (size.x / 2 + margin) / aspect);
       Object.assign(this.camera, { top: half, bottom: -half, right: half * aspect, left: -half * aspect });
@@ -252,15 +240,13 @@ export class Stage {
     }
     this.camera.aspect = aspect;
     if (this.moved) return;
-    const facing = this.facing();
-    const away = new Vector3(0, 0.38, 0.92).transformDirection(facing);
-    const right = new Vector3().setFromMatrixColumn(facing, 0);
-    const upward = new Vector3().crossVectors(away, right);
+    const [right, up, back] = this.head.stage.axes.map((axis) => new Vector3(...axis)); // as one first sees the machine
+    const away = back.multiplyScalar(0.92).addScaledVector(up, 0.38).normalize();
+    const upward = away.clone().cross(right);
     const slope = Math.tan((this.camera.fov * Math.PI) / 360) / 1.12;
     let far = 0;
     for (let k = 0; k < 8; ++k) {
-      const corner = new Vector3(...([0, 1, 2] as const).map((i) => ((k >> i) & 1 ? this.box.max : this.box.min).getComponent(i)));
-      corner.sub(center);
+      const corner = new Vector3(k & 1, (k >> 1) & 1, k >> 2).addScalar(-0.5).multiply(size);
       const across = Math.max(Math.abs(corner.dot(right)) / aspect, Math.abs(corner.dot(upward)));
       far = Math.max(far, corner.dot(away) + across / slope);
     }
@@ -344,7 +330,6 @@ export class Stage {
           const material = (object.material as MeshLambertMaterial).clone();
           Object.assign(material, { transparent: true, opacity: 0.22, depthWrite: false });
           object.material = material;
-          if (object.userData.bent) object.geometry = object.geometry.clone();
         });
         this.ghosts.add(ghost);
       }
@@ -369,10 +354,6 @@ export class Stage {
     }));
   }
 
-  filming(on: boolean): void {
-    this.screen.filming(on);
-  }
-
   /** The ray through a place of the window. */
   private ray(x: number, y: number): Raycaster {
     const bounds = this.canvas.getBoundingClientRect();
@@ -388,12 +369,16 @@ export class Stage {
     const hit = this.hitAt(x, y);
     const shape = hit?.object.userData.shape as Shape | undefined;
     if (hit === undefined || shape === undefined || this.now === null) return null;
-    if (shape.kind === "dial") return { shape, parts: [], point: new Vector3().setFromMatrixPosition(this.sizes.boards[shape.parts[0].board ?? 0]) };
+    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
+    if (shape.kind === "dial") {
+      const hand = shape.parts[shape.parts.length - 1];
+      const [axes, parts] = [this.sizes.boards[hand.board ?? 0], [[frame.first + hand.numbers.to, 1]] as Pull["parts"]];
+      return { parts, axes, point: new Vector3(...placeIn(frame.numbers, parts)).applyMatrix4(axes) };
+    }
     const part = hit.object.userData.part as Part | undefined;
     if (part === undefined || part.still || !("at" in part.numbers) || !(SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
-    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
     const parts = within(part.numbers, hit.point, frame);
-    return { shape, parts, point: new Vector3(...placeIn(frame.numbers, parts)) };
+    return { parts, axes: new Matrix4(), point: new Vector3(...placeIn(frame.numbers, parts)) };
   }
 
   /** The place under the pointer in the plane through a point that faces the viewer, and the directions right and up in it. */
@@ -401,11 +386,6 @@ export class Stage {
     const [right, up, back] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(this.camera.matrixWorld, k));
     const plane = new Plane().setFromNormalAndCoplanarPoint(back, point);
     return { place: this.ray(x, y).ray.intersectPlane(plane, new Vector3()) ?? point, across: [right, up] };
-  }
-
-  /** Of the machine [m]. */
-  get length(): number {
-    return this.sizes.length;
   }
 
   /** The machine and its arrows. */
@@ -460,21 +440,9 @@ function within(numbers: Record<string, number>, point: Vector3, frame: Frame): 
   return parts;
 }
 
-function middle(box: Box3): Vector3 {
-  return box.getCenter(new Vector3());
-}
-
-function diagonal(box: Box3): number {
-  return box.getSize(new Vector3()).length();
-}
-
-function round(value: number, step: number): number {
-  return Math.round(value / step) * step;
-}
-
-function isGauge({ kind }: Shape): boolean {
-  return kind === "slider" || kind === "dial";
-}
+const middle = (box: Box3): Vector3 => box.getCenter(new Vector3());
+const diagonal = (box: Box3): number => box.getSize(new Vector3()).length();
+const isGauge = ({ kind }: Shape): boolean => kind === "slider" || kind === "dial";
 
 /** Columns at which places begin in a row: of all that moves and has an end. */
 function placesOf({ scene }: Head): number[] {
