@@ -129,11 +129,10 @@ static void weights_at(const lag_radau_table *table, double place, double *value
  * the same matrix. The estimate above is that of the end only: a stiff motion meets its equilibrium at the nodes, however
  * long the step is, and not between them.
  */
-static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
+static double error_within(lag_stepper *s, const lag_radau_places *at, double h, size_t node)
 {
     const size_t n = s->ode->size;
-    const size_t middle = at->table->stages / 2;
-    const double place = 0.5 * (at->table->node[middle - 1] + at->table->node[middle]);
+    const double place = 0.5 * (at->table->node[node - 1] + at->table->node[node]);
     double value[LAG_RADAU_STAGES];
     double slope[LAG_RADAU_STAGES];
     weights_at(at->table, place, value, slope);
@@ -167,7 +166,10 @@ static double error_along(lag_stepper *s, const lag_radau_places *at, double h, 
         memo->unseen += 1.0;
         return error;
     }
-    memo->within = error_within(s, at, h);
+    memo->within = error_within(s, at, h, at->table->stages / 2);
+    if (memo->within > error) {
+        memo->within = fmax(memo->within, error_within(s, at, h, at->table->stages - 1));
+    }
     memo->missed = LITTLE * memo->within < error ? solved->missed : 0.0;
     memo->unseen = 0.0;
     return fmax(error, memo->within);
