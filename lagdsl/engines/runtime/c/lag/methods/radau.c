@@ -31,7 +31,7 @@ static const double STEADY[2] = {0.8, 1.2};
 enum { UNSEEN = 4, LITTLE = 10 };
 /*
  * After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them, and falls where a
- * first guess is the solution.
+ * first guess is as good as the solution.
  */
 static const double BELOW = 0.8;
 static const double RECEDE = 1.03;
