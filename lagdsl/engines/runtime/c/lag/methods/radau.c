@@ -12,8 +12,6 @@
 
 static const double SAFETY = 0.9;
 static const double SHRINK = 0.2;
-/* The same where the stage equations were not solved: the error is not known, or that of an iterate. */
-static const double HALVED = 0.5;
 static const double GROW = 8.0;
 /* A step that would grow by less keeps its length, and so its decomposition. */
 static const double WORTH_IT = 1.2;
@@ -279,10 +277,10 @@ static void accept_step(lag_stepper *s, const lag_radau_places *at, const lag_ra
     choose_order(s, at, solved, next / h);
 }
 
-/* It is to be tried again, shorter. */
+/* It is to be tried again, shorter; by half at most where its error is not known, or that of an iterate. */
 static void shorten(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double factor)
 {
-    const double least = solved->converged && factor > 0.0 ? SHRINK : HALVED;
+    const double least = solved->converged && factor > 0.0 ? SHRINK : 0.5;
     ++s->counts.rejections;
     s->h = fmax(h * fmax(least, fmin(factor, 0.9)), s->h_least);
     lag_radau_fail(at, solved);

@@ -16,8 +16,6 @@
 
 /* Errors of the stage equations, as a part of the tolerance. */
 static const double NEWTON_TOLERANCE = 3e-3;
-/* A first guess is as good as the solution if it is off by less, a tenth of that: much longer steps can be solved. */
-static const double SOLVED = 3e-4;
 /* Below this contraction rate of Newton's method, the next step keeps the Jacobian. */
 static const double GOOD_RATE = 1e-3;
 /* Above this contraction rate, the next TURNING steps use a Jacobian that changes along them. */
@@ -306,7 +304,9 @@ void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_
     lag_radau_memo *memo = at->memo;
     memo->fresh = 0.0;
     memo->before = 0.0;
-    memo->wall = outcome->missed < SOLVED ? 0.0 : memo->wall;
+    if (outcome->missed < 0.1 * NEWTON_TOLERANCE) { /* the first guess was as good as the solution: much longer steps can be solved */
+        memo->wall = 0.0;
+    }
     if (memo->turning > 0.0) {
         for (size_t i = 0; i < lag_radau_entries(s->ode); ++i) {
             at->jacobian[i] += at->change[i];
