@@ -275,6 +275,7 @@ def _runtime(found: Results) -> list[str]:
     lines += [
         "",
         "Right-hand sides for an error, Newton iterations included, between the runs of the frontier; Jacobians apart.",
+        "Where no run of lagdsl is so inexact, its cheapest counts.",
         f"An error is the largest at {ROWS} equidistant times of the motion, by the dense output of each.",
         "CVODE is the best of CasADi's and scikit-sundae's, exact Jacobian, three absolute tolerances.",
         "",

@@ -27,7 +27,10 @@ static const double STEADY[2] = {0.8, 1.2};
  * foretells less than that of the tolerance, and what it foretells from has not grown by more than LITTLE.
  */
 enum { UNSEEN = 4, LITTLE = 10 };
-/* After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them. */
+/*
+ * After a step that could not be solved the next ones are shorter than it by this; the bound recedes by so much at each of them, and falls where a
+ * first guess is as good as the solution.
+ */
 static const double BELOW = 0.8;
 static const double RECEDE = 1.03;
 
@@ -86,16 +89,7 @@ static void predict(const lag_stepper *s, const lag_radau_places *at, double h)
 static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int again)
 {
     const size_t n = s->ode->size;
-    for (size_t i = 0; i < n; ++i) {
-        double sum = 0.0;
-        for (size_t k = 0; k < at->table->stages; ++k) {
-            sum += at->table->error[k] * at->z[k * n + i];
-        }
-        at->right[i] = sum / h;
-        at->error[i] = s->f[i] + at->right[i];
-    }
-    lag_radau_solve_real(s->ode, at, at->error);
-    const double size = lag_stepper_norm(s, at->error);
+    const double size = lag_radau_error(s, at, h);
     if (size < 1.0 || !again) {
         return size;
     }
@@ -133,11 +127,10 @@ static void weights_at(const lag_radau_table *table, double place, double *value
  * the same matrix. The estimate above is that of the end only: a stiff motion meets its equilibrium at the nodes, however
  * long the step is, and not between them.
  */
-static double error_within(lag_stepper *s, const lag_radau_places *at, double h)
+static double error_within(lag_stepper *s, const lag_radau_places *at, double h, size_t node)
 {
     const size_t n = s->ode->size;
-    const size_t middle = at->table->stages / 2;
-    const double place = 0.5 * (at->table->node[middle - 1] + at->table->node[middle]);
+    const double place = 0.5 * (at->table->node[node - 1] + at->table->node[node]);
     double value[LAG_RADAU_STAGES];
     double slope[LAG_RADAU_STAGES];
     weights_at(at->table, place, value, slope);
@@ -171,7 +164,10 @@ static double error_along(lag_stepper *s, const lag_radau_places *at, double h, 
         memo->unseen += 1.0;
         return error;
     }
-    memo->within = error_within(s, at, h);
+    memo->within = error_within(s, at, h, at->table->stages / 2);
+    if (memo->within > error) {
+        memo->within = fmax(memo->within, error_within(s, at, h, at->table->stages - 1));
+    }
     memo->missed = LITTLE * memo->within < error ? solved->missed : 0.0;
     memo->unseen = 0.0;
     return fmax(error, memo->within);
@@ -183,6 +179,9 @@ static double factor_of(const lag_stepper *s, unsigned stages, double h, double 
     const double exponent = 1.0 / (double)(stages + 1);
     if (!(error > 0.0)) {
         return GROW;
+    }
+    if (!isfinite(error)) {
+        return 0.0;
     }
     const double trend = s->last.error > 0.0 ? h / s->last.h * pow(s->last.error / error, exponent) : 1.0;
     return fmin(1.0, trend) * pow(error, -exponent);
@@ -241,6 +240,7 @@ static void choose_order(lag_stepper *s, const lag_radau_places *at, const lag_r
     }
     memo->age = memo->decomposed = memo->missed = 0.0;
     memo->trust = 1.0;
+    memo->trusted = 0.0;
     s->last.error = 0.0;
 }
 
@@ -261,8 +261,9 @@ static double next_length(const lag_radau_places *at, double h, double factor)
 /* One trial. Infinite: the stage equations could not be solved. */
 static lag_status try_step(lag_stepper *s, const lag_radau_places *at, double h, int again, lag_radau_outcome *solved, double *error)
 {
-    const lag_status status = lag_radau_solve(s, at, h, predict, solved);
-    *error = status == LAG_OK && solved->converged ? error_of(s, at, h, again) : (double)INFINITY;
+    const lag_status status = lag_radau_solve(s, at, h, !again, predict, solved);
+    *error = solved->rejected ? solved->error : (double)INFINITY;
+    *error = status == LAG_OK && solved->converged ? error_of(s, at, h, again) : *error;
     *error = *error < 1.0 ? error_along(s, at, h, solved, *error) : *error;
     return status;
 }
@@ -276,13 +277,14 @@ static void accept_step(lag_stepper *s, const lag_radau_places *at, const lag_ra
     choose_order(s, at, solved, next / h);
 }
 
-/* It is to be tried again, shorter. */
+/* It is to be tried again, shorter; by half at most where its error is not known, or that of an iterate. */
 static void shorten(lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *solved, double h, double factor)
 {
+    const double least = solved->converged && factor > 0.0 ? SHRINK : 0.5;
     ++s->counts.rejections;
-    s->h = fmax(h * fmax(SHRINK, fmin(factor, 0.9)), s->h_least);
+    s->h = fmax(h * fmax(least, fmin(factor, 0.9)), s->h_least);
     lag_radau_fail(at, solved);
-    if (!solved->converged) {
+    if (!solved->converged && !solved->rejected) {
         at->memo->wall = h;
         choose_order(s, at, solved, 0.0);
     }
@@ -303,7 +305,7 @@ static lag_status step_radau(lag_stepper *s, double limit)
             return status;
         }
         const double safety = SAFETY * (2.0 * most + 1.0) / (2.0 * most + (double)solved.iterations);
-        const double factor = isfinite(error) ? safety * factor_of(s, at.table->stages, h, error) : 0.5;
+        const double factor = safety * factor_of(s, at.table->stages, h, error);
         if (error < 1.0) {
             accept(s, &at, h, t_new);
             lag_radau_keep(s, &at, &solved);

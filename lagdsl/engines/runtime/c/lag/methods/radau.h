@@ -55,7 +55,8 @@ typedef struct lag_radau_memo {
     double within;     /* error between the ends of the step that was looked at last, as a part of the tolerance, */
     double missed;     /* by how much its stages were missed by their first guess, 0: nothing is known, */
     double unseen;     /* and how many there were since */
-    double trust;      /* error of a Newton iterate as a part of the correction before, as seen at the step before */
+    double trust;      /* error of a Newton iterate as a part of the correction before, as seen last, */
+    double trusted;    /* and the length of the step where it was seen, 0: nowhere */
 } lag_radau_memo;
 
 /* Arrays of a method; n: size of the state, m: numbers of it that are not coordinates, entries: those of the Jacobian that are kept. */
@@ -110,6 +111,8 @@ lag_radau_places lag_radau_place(const lag_stepper *s);
 /* Result of Newton's method. */
 typedef struct lag_radau_outcome {
     int converged;
+    int rejected;  /* the error estimate ended the iteration: */
+    double error;  /* so large is it, as a part of the tolerance */
     unsigned iterations;
     double rate;   /* of contraction in the last iteration; 0: there was only one */
     double smooth; /* geometric mean of the last two rates */
@@ -183,10 +186,17 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x
 double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h);
 
 /*
- * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new
- * one where that fails. Returns any status of the Jacobian that is not LAG_OK.
+ * The error estimate (8.19) of a step of length h with the stages z, into `error`; its size as a part of the tolerance. `right` becomes the part of
+ * the stages, not filtered.
  */
-lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
+double lag_radau_error(const lag_stepper *s, const lag_radau_places *at, double h);
+
+/*
+ * The stages z of a step of length h, from the first guess that `guess` puts into them: with the Jacobian at hand, and a new
+ * one where that fails. `decides`: a step that the error estimate rejects is not solved to the end. Returns any status of the Jacobian that is not
+ * LAG_OK.
+ */
+lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h, int decides,
     void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome);
 
 /* The step was accepted: whether the Jacobian serves the next one, and how that is to be solved. */

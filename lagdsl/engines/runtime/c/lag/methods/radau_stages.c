@@ -203,15 +203,45 @@ double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, do
     return sqrt(lag_radau_inner(s, stages, at->slope, at->slope) / (double)(n > 0 ? stages * n : 1));
 }
 
-/* Simplified Newton iterations from the stages z, formulas (8.10) and (8.11). */
-static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, double h)
+double lag_radau_error(const lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    for (size_t i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (size_t k = 0; k < at->table->stages; ++k) {
+            sum += at->table->error[k] * at->z[k * n + i];
+        }
+        at->right[i] = sum / h;
+        at->error[i] = s->f[i] + at->right[i];
+    }
+    lag_radau_solve_real(s->ode, at, at->error);
+    return lag_stepper_norm(s, at->error);
+}
+
+/*
+ * Error of the first iterate as a part of its correction, by the rate of contraction that was seen last. The rate is at most the length of the step
+ * times the error of the Jacobian in use. Along the step this error grows with the length where that Jacobian is constant, with its square where it
+ * is linear in time, and with its cube where it is quadratic: in a longer step there is less to trust.
+ */
+static double first_trust(const lag_radau_memo *memo, double h)
+{
+    const double order = memo->turning == 0.0 ? 1.0 : memo->before == 0.0 ? 2.0 : 3.0;
+    const double seen = pow(fmax(memo->trust, 1e-16), 0.8);
+    return h > memo->trusted && memo->trusted > 0.0 ? seen * pow(h / memo->trusted, order + 1.0) : seen;
+}
+
+/*
+ * Simplified Newton iterations from the stages z, formulas (8.10) and (8.11). The error estimate is linear in the stages: where it is larger than
+ * the tolerance by more than the iterate is off, further iterations lead to a step that is rejected. That takes a rate that was seen before.
+ */
+static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, double h, int decides)
 {
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
     const unsigned most = lag_radau_iterations(at->table->stages);
     lag_radau_outcome result = {.smooth = 1.0};
     double before = 0.0;
-    double trust = pow(fmax(at->memo->trust, 1e-16), 0.8);
+    double trust = first_trust(at->memo, h);
     lag_radau_transform(n, stages, at->table->inverse, at->z, at->w);
     for (unsigned k = 0; k < most; ++k) {
         result.iterations = k + 1;
@@ -232,9 +262,15 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
         trust = before > 0.0 ? rate / (1.0 - rate) : trust;
         if (size == 0.0 || trust * size < NEWTON_TOLERANCE) {
             at->memo->trust = trust;
+            at->memo->trusted = h;
             result.converged = 1;
             result.smooth = k > 1 ? sqrt(rate * result.rate) : rate;
             result.rate = rate;
+            return result;
+        }
+        result.error = decides && at->memo->trusted > 0.0 ? lag_radau_error(s, at, h) : 0.0;
+        if (result.error > 1.0 + trust * size) {
+            result.rejected = 1;
             return result;
         }
         result.rate = rate;
@@ -243,7 +279,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
     return result;
 }
 
-lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
+lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h, int decides,
     void (*guess)(const lag_stepper *s, const lag_radau_places *at, double h), lag_radau_outcome *outcome)
 {
     *outcome = (lag_radau_outcome){.smooth = 1.0};
@@ -254,9 +290,9 @@ lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
             return status;
         }
         if (lag_radau_decompose(s, at, h) == LAG_OK) {
-            *outcome = iterate(s, at, h);
+            *outcome = iterate(s, at, h, decides);
         }
-        if (outcome->converged || at->memo->fresh != 0.0 || at->memo->turning > 0.0) {
+        if (outcome->converged || outcome->rejected || at->memo->fresh != 0.0 || at->memo->turning > 0.0) {
             return LAG_OK;
         }
         at->memo->usable = 0.0;
@@ -268,6 +304,9 @@ void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_
     lag_radau_memo *memo = at->memo;
     memo->fresh = 0.0;
     memo->before = 0.0;
+    if (outcome->missed < 0.1 * NEWTON_TOLERANCE) { /* the first guess was as good as the solution: much longer steps can be solved */
+        memo->wall = 0.0;
+    }
     if (memo->turning > 0.0) {
         for (size_t i = 0; i < lag_radau_entries(s->ode); ++i) {
             at->jacobian[i] += at->change[i];
@@ -286,7 +325,7 @@ void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_
 void lag_radau_fail(const lag_radau_places *at, const lag_radau_outcome *outcome)
 {
     lag_radau_memo *memo = at->memo;
-    if (outcome->converged) {
+    if (outcome->converged || outcome->rejected) {
         return;
     }
     memo->usable = memo->turning > 0.0 ? 0.0 : memo->usable; /* it was that of a state that was only predicted */
