@@ -268,6 +268,9 @@ def values_of_runs(
 
 
 def _in_si(target: Target, value: ArrayLike) -> ArrayLike:
+    known = np.asarray(value) if isinstance(value, np.ndarray) else None
+    if known is not None and known.dtype.kind in "fiu" and np.all(np.isfinite(known)):
+        return known.astype(np.float64)
     array = np.asarray(value, dtype=object)
     return np.reshape([number(target, each) for each in array.ravel().tolist()], array.shape)
 
