@@ -143,15 +143,15 @@ class Ensemble:
             return self._engine.native.at_once
 
     def _parameters(self, tasks: Sequence[Task]) -> tuple[Floats, Flags]:
-        """The vectors of parameters (runs, np), and True of those that the model allows. What one of them decides is
-        looked at for the first run; for others only what differs, where it is not a matter of comparisons alone."""
+        """The vectors of parameters (runs, np), and True of those that the model allows: the first run is looked at by
+        itself, of the others those that comparisons of what is changed do not settle."""
         layout = self._engine.layout
         p = np.tile(np.array(layout.defaults, dtype=np.float64), (len(tasks), 1))
         tellable = np.zeros(len(tasks), dtype=np.bool_)
-        changed = {name: np.array([task.parameters[name] for task in tasks]) for name in tasks[0].parameters}
         places = {slot.name: place for place, slot in enumerate(layout.parameters)}
-        if not changed.keys() <= places.keys():
-            return p, tellable
+        changed = {name: np.array([task.parameters[name] for task in tasks]) for name in tasks[0].parameters}
+        if not changed.keys() <= places.keys() or any(values.dtype.kind not in "biuf" for values in changed.values()):
+            return p, tellable  # each run tells that by itself
         for name, values in changed.items():
             p[:, places[name]] = values
         tellable[0] = self._allows(tasks[0])
@@ -160,8 +160,8 @@ class Ensemble:
             if parameter.name in changed:
                 certain = certain & certainly_allowed(parameter, changed[parameter.name])
         tellable |= certain
-        for row in np.flatnonzero(~certain[1:]).tolist():
-            tellable[row + 1] = self._allows(tasks[row + 1])
+        for row in np.flatnonzero(~certain).tolist():
+            tellable[row] = self._allows(tasks[row])
         return p, tellable
 
     def _allows(self, task: Task) -> bool:
