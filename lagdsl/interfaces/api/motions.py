@@ -238,7 +238,7 @@ def simulate_many(
 
 
 def _by_run(values: Mapping[str, Sequence[_Value]], runs: int) -> Iterable[tuple[_Value, ...]]:
-    """Those of each run in the order of their names."""
+    """The values of each run, in the order of their names."""
     return zip(*values.values(), strict=True) if values else repeat((), runs)
 
 

@@ -304,9 +304,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     }
     if (status == LAG_OK && run->options.results != NULL) {
         status = lag_run_count_step(run);
-    }
-    if (status == LAG_OK && run->options.results != NULL) {
-        status = lag_results_step(run->options.results, run, half->t);
+        status = status == LAG_OK ? lag_results_step(run->options.results, run, half->t) : status;
     }
     if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
         status = lag_run_watch(run, s->t, s->x, s->f);
