@@ -111,7 +111,7 @@ class RunView:
 
     def doubted(self, relations: int) -> list[float]:
         """For each relation the first time [s] at which it turned by what may be the method's error, or infinity."""
-        return [float(time) for time in self.report.doubted[:relations]]
+        return [float(time) for time in self.report.doubted[:relations]] if relations else []
 
     def changes(self) -> list[tuple[float, bool]]:
         """Time and kind (to an implicit one) of the first changes of the method."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, KeysView, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, KeysView, Mapping, Sequence
 from dataclasses import field
 from importlib.util import find_spec
+from itertools import repeat
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
     import xarray
 
     from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+
+_Value = TypeVar("_Value")
 
 
 @record(kw_only=True)
@@ -204,11 +207,13 @@ def simulate_many(
         Task(
             index=k,
             swept=0,
-            parameters={name: values[k] for name, values in chosen.items()},
-            start={name: values[k] for name, values in starts.items()},
-            inputs={name: values[k] for name, values in inputs.own.items()},
+            parameters=dict(zip(chosen, p, strict=True)),
+            start=dict(zip(starts, x, strict=True)),
+            inputs=dict(zip(inputs.own, u, strict=True)),
         )
-        for k in range(count)
+        for k, p, x, u in zip(
+            range(count), *(_by_run(each, count) for each in (chosen, starts, inputs.own)), strict=True
+        )
     )
     outcomes: list[Outcome] = []
     asked = cores() if threads is None else threads
@@ -230,6 +235,11 @@ def simulate_many(
         tangents=tangents,
         derivatives=found.derivatives,
     )
+
+
+def _by_run(values: Mapping[str, Sequence[_Value]], runs: int) -> Iterable[tuple[_Value, ...]]:
+    """The values of each run, in the order of their names."""
+    return zip(*values.values(), strict=True) if values else repeat((), runs)
 
 
 def _settings(
@@ -268,6 +278,9 @@ def values_of_runs(
 
 
 def _in_si(target: Target, value: ArrayLike) -> ArrayLike:
+    known = np.asarray(value) if isinstance(value, np.ndarray) else None
+    if known is not None and known.dtype.kind in "fiu" and np.all(np.isfinite(known)):
+        return known.astype(np.float64)
     array = np.asarray(value, dtype=object)
     return np.reshape([number(target, each) for each in array.ravel().tolist()], array.shape)
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.language.flat.model import Coordinate, Input, Parameter, State
 from lagdsl.language.flat.spans import around, place
@@ -27,6 +30,14 @@ def require_value(parameter: Parameter, value: float) -> None:
         raise ValueError(f"`{name}` must be at least {parameter.minimum:g}{unit}, not {value:g}{unit}")
     if parameter.maximum is not None and value > parameter.maximum:
         raise ValueError(f"`{name}` must be at most {parameter.maximum:g}{unit}, not {value:g}{unit}")
+
+
+def certainly_allowed(parameter: Parameter, values: NDArray[np.float64]) -> NDArray[np.bool_] | bool:
+    """True of those `values` (runs,) with which `require_value` raises nothing; of whole numbers and truths nothing is
+    known."""
+    low = -np.inf if parameter.minimum is None else parameter.minimum
+    high = np.inf if parameter.maximum is None else parameter.maximum
+    return parameter.kind == "Real" and (values >= low) & (values <= high)
 
 
 def report_outside(item: Bounded, name: str, value: float, sink: Sink) -> None:

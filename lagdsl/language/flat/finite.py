@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator, Mapping, Set
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.record import record, remembered
@@ -101,6 +102,19 @@ def check_finite(
         if known is not None and isinstance(each.item, Definition):
             known.add(each.item.name)
     _check_gravity(flat, values, evaluator, sink, changed)
+
+
+def certainly_finite(flat: FlatModel, changed: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_] | bool:
+    """True of those values (runs,) of parameters with which `check_finite` has nothing to tell: where all was well
+    before they changed, and each value that they decide is a parameter itself. Of others nothing is known."""
+    certain: NDArray[np.bool_] | bool = not changed.keys() & set(_deciding_gravity(flat) or ())
+    for each in decided(flat):
+        if not each.parameters.isdisjoint(changed):
+            values = changed.get(each.value.name) if isinstance(each.value, fx.Variable) else None
+            if values is None:
+                return False
+            certain = certain & np.isfinite(values) & (values >= (0.0 if each.subject in _WEIGHTS else -np.inf))
+    return certain
 
 
 def _number(evaluator: Evaluator, value: fx.FlatExpression, values: Mapping[str, float]) -> float:

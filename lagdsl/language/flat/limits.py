@@ -6,12 +6,13 @@ import math
 from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.record import remembered
 from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
 from lagdsl.language.flat.events import Limit
-from lagdsl.language.flat.finite import check_finite
+from lagdsl.language.flat.finite import certainly_finite, check_finite
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.language.flat.spans import around, place
 
@@ -46,6 +47,12 @@ def check_limits(flat: FlatModel, parameters: Mapping[str, float], sink: Sink) -
             sink.report("E0334", place(limit), *around(limit), what=limit.what, expected=wrong, found=f"{value:g}")
     if len(sink.diagnostics) == before:
         sound[:] = [dict(parameters)]
+
+
+def certainly_within(flat: FlatModel, changed: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_] | bool:
+    """True of those values (runs,) of parameters with which `check_limits` and `check_clocks` have nothing to tell,
+    where they had nothing to tell before these changed. Of others nothing is known."""
+    return not flat.events.limits and not flat.events.clocks and certainly_finite(flat, changed)
 
 
 def check_clocks(

@@ -79,6 +79,8 @@ def trajectory(
 
 def events_of(flat: FlatModel, layout: Layout, notes: Sequence[tuple[float, str, int]]) -> tuple[Event, ...]:
     """The notes of a run with the names of what something happened to."""
+    if not notes:
+        return ()
     names = event_names(flat, layout)
     return tuple(Event(time=t, name=names[what][which], kind=what) for t, what, which in notes)
 

@@ -147,25 +147,28 @@ def collect(runs: int, rows: int, outcomes: Iterable[Outcome]) -> Collected:
     columns: dict[str, Floats] = {}
     units: dict[str, str] = {}
     derivatives: dict[str, Floats] = {}
-    names: tuple[str, ...] = ()
-    places: list[Floats] = []
+    tables: dict[tuple[str, ...], Floats] = {}  # columns that come together, in one array
     status, message, ended = ["missing"] * runs, [""] * runs, np.full(runs, np.nan)
     for outcome in outcomes:
         status[outcome.index], message[outcome.index] = outcome.status, outcome.message
         ended[outcome.index] = outcome.ended
-        if outcome.names != names:
-            names = outcome.names
+        names, at = outcome.names, (outcome.index, slice(len(outcome.values)))
+        if names not in tables and columns.keys().isdisjoint(names):
+            tables[names] = np.full((len(names), runs, rows), np.nan)
+            columns |= zip(names, tables[names], strict=True)
+            units |= zip(names, outcome.units, strict=True)
+        if names in tables:
+            tables[names][:, *at] = outcome.values.T
+        else:
             for i, name in enumerate(names):
                 if name not in columns:
                     columns[name], units[name] = np.full((runs, rows), np.nan), outcome.units[i]
-            places = [columns[name] for name in names]
-        for i, column in enumerate(places):
-            column[outcome.index, : len(outcome.values)] = outcome.values[:, i]
+                columns[name][at] = outcome.values[:, i]
         if outcome.derivatives is not None:
             for i, name in enumerate(names):
                 if name not in derivatives:
                     derivatives[name] = np.full((runs, rows, outcome.derivatives.shape[1]), np.nan)
-                derivatives[name][outcome.index, : len(outcome.values)] = outcome.derivatives[:, :, i]
+                derivatives[name][at] = outcome.derivatives[:, :, i]
     return Collected(columns=columns, units=units, status=status, message=message, ended=ended, derivatives=derivatives)
 
 

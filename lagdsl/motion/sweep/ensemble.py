@@ -16,7 +16,8 @@ from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.language.flat.limits import check_clocks, check_limits
+from lagdsl.language.flat.admissible import certainly_allowed
+from lagdsl.language.flat.limits import certainly_within, check_clocks, check_limits
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.signals.inputs import given_inputs, is_allowed, signals
 from lagdsl.motion.simulate.initial_words import FAR
@@ -69,13 +70,13 @@ class Ensemble:
         return outcomes
 
     def _run(self, tasks: Sequence[Task], bench: Bench, stop: Stop) -> list[Outcome | None]:
-        tellable = [self._parameters(task) if self._has_inputs(task) else None for task in tasks]
-        known = [k for k, p in enumerate(tellable) if p is not None]
+        p, tellable = self._parameters(tasks)
+        known = [k for k, task in enumerate(tasks) if tellable[k] and self._has_inputs(task)]
         outcomes: list[Outcome | None] = [None] * len(tasks)
         if not known:
             return outcomes
         with self._lock:
-            told = self._settings([tasks[k] for k in known], np.array([tellable[k] for k in known], dtype=np.float64))
+            told = self._settings([tasks[k] for k in known], p[known])
             model = self._engine.native
         if told is None:
             return outcomes
@@ -141,24 +142,46 @@ class Ensemble:
             self._engine.worked(seconds, left)
             return self._engine.native.at_once
 
-    def _parameters(self, task: Task) -> list[float] | None:
-        """The vector of parameters; None where they are not what the model allows."""
+    def _parameters(self, tasks: Sequence[Task]) -> tuple[Floats, Flags]:
+        """The vectors of parameters (runs, np), and True of those that the model allows: the first run is looked at by
+        itself, of the others those that comparisons of what is changed do not settle."""
+        layout = self._engine.layout
+        p = np.tile(np.array(layout.defaults, dtype=np.float64), (len(tasks), 1))
+        tellable = np.zeros(len(tasks), dtype=np.bool_)
+        places = {slot.name: place for place, slot in enumerate(layout.parameters)}
+        changed = {name: np.array([task.parameters[name] for task in tasks]) for name in tasks[0].parameters}
+        if not changed.keys() <= places.keys() or any(values.dtype.kind not in "biuf" for values in changed.values()):
+            return p, tellable  # each run tells that by itself
+        for name, values in changed.items():
+            p[:, places[name]] = values
+        tellable[0] = self._allows(tasks[0])
+        certain = np.broadcast_to(tellable[0] and certainly_within(self._flat, changed), len(tasks))
+        for parameter in self._flat.parameters:
+            if parameter.name in changed:
+                certain = certain & certainly_allowed(parameter, changed[parameter.name])
+        tellable |= certain
+        for row in np.flatnonzero(~certain).tolist():
+            tellable[row] = self._allows(tasks[row])
+        return p, tellable
+
+    def _allows(self, task: Task) -> bool:
+        """True if the parameters are what the model allows."""
         try:
             values = parameters_of(self._flat, self._engine.layout, task.parameters)
         except (ValueError, TypeError):
-            return None
+            return False
         sink = Sink()
         check_limits(self._flat, values, sink)
         if not sink.diagnostics:
             span = (self._flat.experiment.start_time, self._options.stop)
             check_clocks(self._flat, values, span, MOST_STEPS, sink)
-        return None if sink.diagnostics else list(values.values())
+        return not sink.diagnostics
 
     def _has_inputs(self, task: Task) -> bool:
         """True if the inputs of the run that are numbers are what the model allows."""
-        numbers = _numbers(task)
-        if not numbers:
+        if not task.inputs:
             return True
+        numbers = _numbers(task)
         items, sink = {item.name: item for item in self._flat.inputs}, Sink()
         return all(
             name in items and bool(np.isfinite(value)) and is_allowed(items[name], np.array([value]), None, sink)
@@ -231,12 +254,12 @@ class Ensemble:
 
 def _numbers(task: Task) -> dict[str, float]:
     """The inputs of the run that are numbers."""
-    if not task.inputs:
-        return {}
     return {name: float(signal) for name, signal in task.inputs.items() if isinstance(signal, (int, float))}
 
 
 def _form(task: Task) -> tuple[tuple[str, int | None], ...]:
     """Equal for runs whose own inputs have the same names and the same tables: one call of C can make them."""
+    if not task.inputs:
+        return ()
     numbers = _numbers(task)
     return tuple((name, None if name in numbers else id(signal)) for name, signal in task.inputs.items())

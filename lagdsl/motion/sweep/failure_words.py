@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from lagdsl.derivation.program.program import Layout
+from lagdsl.engines.backends.start import free_parameters
 from lagdsl.engines.runtime.ensemble import EnsembleSettings, Failed
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
@@ -29,6 +30,7 @@ class FailureWords:
     ) -> None:
         self._flat, self._layout, self._settings, self._inputs = flat, layout, settings, inputs
         self.told: dict[int, tuple[str, float | None]] = {}
+        self._finds = bool(free_parameters(flat))
 
     def hear(self, row: int, failed: Failed) -> None:
         """Of a run as it fails. One that cannot be told here is made by itself."""
@@ -40,6 +42,8 @@ class FailureWords:
 
     def wrong(self, p: Floats) -> str | None:
         """Why a motion with the parameters p (np,), those that were found too, must not be."""
+        if not self._finds:
+            return None
         sink = Sink()
         report_found(self._flat, self._layout, p, sink)
         return first_error(sink.diagnostics)

@@ -59,9 +59,10 @@ class _Parts:
 
     def take(self, most: int, together: int) -> list[Task]:
         """At most so many, and few enough that no thread waits for another at the end: as many as go on together, or
-        half of what is left for each thread; none where there are no more."""
+        half of what is left for each of several threads; none where there are no more."""
         with self._lock:
-            size = max(1, min(most, self.left // (2 * self._threads)), min(together, self.left // self._threads))
+            share = self.left // (2 * self._threads) if self._threads > 1 else self.left
+            size = max(1, min(most, share), min(together, self.left // self._threads))
             part: list[Task] = []
             while self._next is not None and len(part) < size and self._next.swept == (part or [self._next])[0].swept:
                 part.append(self._next)

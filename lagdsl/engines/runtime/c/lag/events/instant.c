@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 
 /* An instant is known to so many roundings of the last step. */
 static const double ULPS = 4096.0;
@@ -68,8 +69,8 @@ static lag_status start_clocks(lag_instants *instants, double t)
 
 double lag_instants_next(const lag_instants *instants)
 {
-    const double next = fmin(lag_timed_next(&instants->timed), lag_contacts_end_of_bounces(&instants->contacts));
-    return fmin(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
+    const double next = lag_lower(lag_timed_next(&instants->timed), lag_contacts_end_of_bounces(&instants->contacts));
+    return lag_lower(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
 }
 
 /* True if a clock ticks, or bounces are over. */

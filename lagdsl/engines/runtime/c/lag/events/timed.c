@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 #include "lag/linalg/root.h"
 
 /* Changes so many units in the last place apart are one. */
@@ -205,7 +206,7 @@ static double affine_zero(distance *one, double t)
 
 double lag_timed_next(const lag_timed *timed)
 {
-    return fmin(timed->next, lag_delays_next(&timed->motion->delays));
+    return lag_lower(timed->next, lag_delays_next(&timed->motion->delays));
 }
 
 int lag_timed_due(const lag_timed *timed, double t)

@@ -43,21 +43,22 @@ static void take(size_t count, size_t lanes, const double *from, double *to)
 /* True if all of it is known at this state, and taken. */
 static int is_known(lag_conditions *watch, double t, const double *x)
 {
-    const lag_known_conditions known = watch->known;
+    const lag_known_conditions *known = &watch->known;
     const lag_model *model = watch->motion->model;
     const size_t size = lag_motion_size(model);
+    const double *from = known->x;
     size_t i = 0;
-    if (known.x == NULL || *known.t != t) {
+    if (from == NULL || *known->t != t) {
         return 0;
     }
     watch->known.x = NULL;
-    while (i < size && x[i] == known.x[i * known.lanes]) {
+    while (i < size && x[i] == from[i * known->lanes]) {
         ++i;
     }
     if (i == size) {
-        take(model->ni, known.lanes, known.value, watch->value);
-        take(model->ni, known.lanes, known.scale, watch->scale);
-        take(model->na, known.lanes, known.held, watch->held);
+        take(model->ni, known->lanes, known->value, watch->value);
+        take(model->ni, known->lanes, known->scale, watch->scale);
+        take(model->na, known->lanes, known->held, watch->held);
     }
     return i == size;
 }

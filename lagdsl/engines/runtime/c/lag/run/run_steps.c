@@ -5,6 +5,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/order.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
@@ -292,7 +293,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     double own = (double)INFINITY;
     lag_status status = advance_to_corner(run, lag_run_limit(run, stop), &own);
     half->left = 0.0;
-    memcpy(run->half.pending, run->guards.changed, lag_guard_count(run->motion.model) * sizeof(double));
+    lag_copy(lag_guard_count(run->motion.model), run->guards.changed, run->half.pending);
     if (status == LAG_OK && own < (double)INFINITY) {
         own = lag_scan_on_constraints(run, run->half.pending, own);
     }
@@ -303,9 +304,7 @@ lag_status lag_run_step(lag_run *run, double stop)
     }
     if (status == LAG_OK && run->options.results != NULL) {
         status = lag_run_count_step(run);
-    }
-    if (status == LAG_OK && run->options.results != NULL) {
-        status = lag_results_step(run->options.results, run, half->t);
+        status = status == LAG_OK ? lag_results_step(run->options.results, run, half->t) : status;
     }
     if (status == LAG_OK && half->t == s->t) { /* what is behind an event does not come true */
         status = lag_run_watch(run, s->t, s->x, s->f);

@@ -274,7 +274,7 @@ static void advance(crowd *all, size_t k)
     const size_t group = k / all->each;
     const size_t place = k % all->each;
     if (all->stepper[k] != NULL && lag_attempts_settle(all->attempts + group, all->stepper[k], place)) {
-        own->run->conditions.known = lag_motions_known(all->motions + group, place);
+        lag_motions_tell(all->motions + group, place, &own->run->conditions.known);
         step(all, k);
     }
     lag_stepper *s = all->stepper[k] = bring(all, k);

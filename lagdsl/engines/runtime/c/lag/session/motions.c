@@ -115,13 +115,13 @@ void lag_motions_monitor(void *context, const double *t, const double *x)
     memcpy(motions->t, t, states->lanes * sizeof(double));
 }
 
-lag_known_conditions lag_motions_known(const lag_motions *motions, size_t k)
+void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions *known)
 {
-    lag_known_conditions known = motions->known;
-    known.t += k;
-    known.x = known.x == NULL ? NULL : known.x + k;
-    known.value += k;
-    known.scale += k;
-    known.held += k;
-    return known;
+    const lag_known_conditions *all = &motions->known;
+    known->lanes = all->lanes;
+    known->t = all->t + k;
+    known->x = all->x == NULL ? NULL : all->x + k;
+    known->value = all->value + k;
+    known->scale = all->scale + k;
+    known->held = all->held + k;
 }

@@ -33,8 +33,8 @@ void lag_motions_enter(lag_motions *motions, size_t k, lag_motion *motion);
 lag_status lag_motions_take(lag_motions *motions);
 lag_rates_in_lanes lag_motions_rates;
 
-/* The conditions that must hold, at the states that had their rates last, and what is known of those of lane k, until others are found. */
+/* The conditions that must hold, at the states that had their rates last; and `known` becomes those of lane k, until others are found. */
 lag_ends_in_lanes lag_motions_monitor;
-lag_known_conditions lag_motions_known(const lag_motions *motions, size_t k);
+void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions *known);
 
 #endif
