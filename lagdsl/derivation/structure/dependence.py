@@ -42,28 +42,31 @@ def dependence(space: Geometry, points: list[Probe], contacts: frozenset[int]) -
     rows = list(range(count))
     split = space.parts(rows)
     ranks = np.array([part_ranks(space, point, rows, split) for point in points])
-    kept = np.zeros(count, dtype=np.bool_)
+    most = np.max(ranks, axis=0)
+    kept = np.asarray(most == np.bincount(split.row_labels, minlength=split.count))[split.row_labels]
     level = space.functions.layout.position_level
     for parts in split.parts:
-        stacks = [entries(point.rows, parts) for point in points]
-        for index, label in enumerate(parts.labels.tolist()):
+        sizes = most[parts.labels]
+        open_ = parts.only((sizes > 0) & (sizes < parts.rows.shape[1]))  # some of their rows depend on others
+        stacks = [entries(point.rows, open_) for point in points]
+        for index, label in enumerate(open_.labels.tolist()):
             best = int(np.argmax(ranks[:, label]))
-            members = parts.rows[index]
+            members = open_.rows[index]
             order = sorted(range(len(members)), key=lambda row: (members[row] in contacts, not level[members[row]]))
             kept[members] = independent_rows(stacks[best][index], order, int(ranks[best, label]))
-    largest = np.max([np.max(np.abs(point.rows), axis=1, initial=0.0) for point in points], axis=0)
+    largest = np.max([point.rows.largest() for point in points], axis=0)
     return Dependence(tuple((~kept).tolist()), tuple((largest < 1e-11).tolist()))
 
 
 def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], found: Dependence, sink: Sink) -> None:
     """N0701 for loops with more equations than they need, N0605 for rows without content, N0607 for rows that follow
     from others."""
-    split = space.parts(list(range(len(found.redundant))))
+    split, tied = space.parts(list(range(len(found.redundant)))), space.pattern.counts()
     for item in located(flat):
         for component, row in enumerate(item.rows):
             if not found.redundant[row] or item.constraint.closure is not None or comes_and_goes(item.constraint):
                 continue
-            if found.empty[row] and not np.any(space.pattern[row]):
+            if found.empty[row] and not tied[row]:
                 part = f"component {component + 1} of " if len(item.rows) > 1 else ""
                 sink.report("N0605", place(item.constraint), subject=f"{part}`{item.constraint.name}`")
             else:
@@ -133,7 +136,7 @@ def _sources(space: Geometry, point: Probe, found: Dependence, split: Partition,
     """Names of the kept rows that a redundant one is a combination of."""
     part = split.row_labels[row]
     kept = [index for index, other in enumerate(found.redundant) if not other and split.row_labels[index] == part]
-    weights = minimum_norm(point.rows[kept].T, point.rows[row])
+    weights = minimum_norm(point.rows.taken(kept).dense().T, point.rows.row(row))
     constraints = space.functions.layout.constraints
     if found.empty[row]:  # its gradient tells nothing of them
         names = [f"`{constraints[index].name}`" for index in kept]

@@ -12,6 +12,7 @@ from lagdsl.derivation.scene.posed import placed
 from lagdsl.foundation.numerics.connected_blocks import connected_blocks
 from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_matrix import sparse
 
 
 def outlines(form: str, matrix: Floats, project: Callable[[Floats], Floats]) -> list[list[Floats]]:
@@ -30,5 +31,5 @@ def _pieces(form: str) -> list[Floats]:
     mesh = triangles(form)
     touched = np.zeros((len(mesh.corners), len(mesh.points)), dtype=bool)
     np.put_along_axis(touched, mesh.corners, True, axis=1)
-    labels = connected_blocks(touched).column_labels
+    labels = connected_blocks(sparse(touched)).column_labels
     return [mesh.points[labels == k] for k in np.unique(labels)]
