@@ -201,13 +201,14 @@ def _report_touching(flat: FlatModel, space: Geometry, points: list[Probe], sink
         if item.constraint.level == "position":
             for label in {label_of[row] for row in item.rows}:
                 items_of.setdefault(label, []).append(item)
+    lasting = np.ones(split.count, dtype=np.bool_)
+    lasting[[label for label, items in items_of.items() if any(comes_and_goes(i.constraint) for i in items)]] = False
     found = False
-    for parts in split.parts:
+    for every in split.parts:
+        parts = every.only(lasting[every.labels])
         blocks = [entries(point.rows.taken(rows), parts) for point in points]
         for index, label in enumerate(parts.labels.tolist()):
             columns, items = parts.columns[index], items_of.get(label, [])
-            if any(comes_and_goes(item.constraint) for item in items):
-                continue
             tried = zip(points, blocks, strict=True)
             if not all(_touches(space, point, rows, columns, block[index]) for point, block in tried):
                 continue
