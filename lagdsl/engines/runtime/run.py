@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from ctypes import addressof, byref, c_double, c_size_t, create_string_buffer
-from mmap import ACCESS_COPY, ACCESS_DEFAULT, mmap
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Layout
-from lagdsl.engines.runtime.engines.buffers import Buffers, place_of
+from lagdsl.engines.runtime.engines.buffers import Buffers, place_of, zeros_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
@@ -38,15 +36,6 @@ def run_of(model: NativeModel, layout: Layout, settings: RunSettings, along: Cal
         return Run(model, layout, settings, along)
     assert isinstance(run, Run), "runs alone are left idle"
     return run if run.renew(settings, along) else Run(model, layout, settings, along)
-
-
-def _zeros(size: int) -> Floats:
-    """So many bytes, in pages of the system that are there when they are touched.
-
-    NumPy asks for huge pages, of which an entry in each row of a matrix touches all.
-    """
-    own = ACCESS_COPY if os.name == "posix" else ACCESS_DEFAULT
-    return np.frombuffer(mmap(-1, -(-size // 8) * 8, access=own), dtype=np.float64)
 
 
 def entries_of(model: NativeModel, layout: Layout) -> SparseMatrix:
@@ -117,7 +106,7 @@ class Run(RunView):
         self._told.take(settings)
         options.zeroed = 1
         self._sized = model.model
-        self._block = _zeros(int(self._library.run_size(model.model, byref(options))))
+        self._block = zeros_of(int(self._library.run_size(model.model, byref(options))))
         self._run = self._library.run_place(place_of(self._block), model.model, byref(options))
 
     @property
