@@ -16,9 +16,8 @@ from lagdsl.derivation.structure.row_sizes import Look, row_sizes
 from lagdsl.foundation.numerics.connected_blocks import Indices, Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer, descend
 from lagdsl.foundation.numerics.part_by_part import is_positive_definite
-from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, null_space
+from lagdsl.foundation.numerics.rank import Floats, null_space
 from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix, sparse, sparse_at
-from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import Dimension
 from lagdsl.language.flat.model import Coordinate, FlatModel
@@ -28,9 +27,6 @@ SEED = 20011
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
 _EXACT = 1e-10
-_RESIDUAL_FACTOR = 1e3
-# Rows are scaled to size one; a part whose largest singular value is below this has no content but round-off.
-_ROW = 1e-3
 # Subtraction must leave this part of every pivot to show that M is positive definite.
 _SAFE_PIVOT = 1e-6
 # So many points that the median of a row's lengths hardly depends on which they are.
@@ -401,28 +397,3 @@ def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int], regul
     if not scaled.is_finite() or (mass is not None and not mass.is_finite()):
         return None
     return Probe(result.point, scaled, mass, result.size)
-
-
-def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition) -> Floats:
-    """Rank of each independent part of the rows at a probed point.
-
-    J is known there to the residual times the bend of the rows, so singular values below a thousand residuals are
-    none. Elimination shows the rank of many rows sooner where they are independent.
-    """
-    tolerance = max(RANK_TOLERANCE, _RESIDUAL_FACTOR * probe.residual)
-    ranks = np.zeros(split.count)
-    matrix = probe.rows.taken(rows).nonzero()
-    moved = np.zeros(split.count, dtype=np.bool_)
-    moved[split.row_labels[matrix.rows]] = True
-    for parts in split.parts:
-        live, count = parts.only(moved[parts.labels]), parts.rows.shape[1]  # open contacts are zero
-        if not len(live.labels):
-            continue
-        if count > FEW and tolerance <= _ROW:
-            own = (matrix.taken(*each) for each in zip(live.rows, live.columns, strict=True))
-            if all(independent(each) for each in own):
-                ranks[live.labels] = count
-                continue
-        values = np.linalg.svd(entries(matrix, live), compute_uv=False)
-        ranks[live.labels] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
-    return ranks

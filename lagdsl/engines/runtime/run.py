@@ -53,12 +53,11 @@ class _Search:
     def __init__(self, size: int, layout: Layout, entries: SparseMatrix) -> None:
         """`entries` are those of J."""
         self._redundant = np.array(layout.redundant, dtype=np.uint8)
-        self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(len(entries)), entries.values
-        self._entries = entries
+        self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(len(entries)), entries
         self._chosen, self._dependent = np.zeros(size + 1, dtype=np.uint8), self._redundant.copy()
         self.x, self.chosen, self.row_sizes = place_of(self._x), place_of(self._chosen), place_of(self._row_sizes)
         self._told = Initial(
-            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(self._pattern)
+            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(entries.values)
         )
 
     def begin(self, given: dict[int, float], equations: bool) -> tuple[Floats, Initial]:
@@ -68,7 +67,7 @@ class _Search:
         for place, value in given.items():
             self._x[place], self._chosen[place] = value, 1
         self._told.given, self._told.p = not equations, None
-        self._row_sizes[:], self._pattern[:], self._dependent[:] = 1.0, 0.0, self._redundant
+        self._row_sizes[:], self._pattern.values[:], self._dependent[:] = 1.0, 0.0, self._redundant
         return self._x.copy(), self._told
 
     def again(self, row_sizes: Floats, dependent: Sequence[bool] | Flags) -> int:
@@ -81,7 +80,7 @@ class _Search:
 
     def found(self, starts: Floats, p: Floats) -> Found:
         return found_of(
-            self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._entries.nonzero()
+            self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern.nonzero()
         )
 
 
