@@ -67,13 +67,14 @@ def _sizes(found: Results, path: Path) -> None:
     panels = (("derive", "derivation [CPU s]"), ("whole", "start and motion [CPU s]"), ("memory", "memory [MB]"))
     for axis, (key, title) in zip(axes, panels, strict=True):
         for index, (name, points) in enumerate(found["curves"].items()):
-            pairs = [(p["n"], p["start"] + p["motion"] if key == "whole" else p[key]) for p in points]
+            family = FAMILIES[name]
+            pairs = [(family.parts(p["n"]), p["start"] + p["motion"] if key == "whole" else p[key]) for p in points]
             pairs = [(n, value) for n, value in pairs if value > (1.0 if key == "memory" else 0.0)]  # below: pages
-            axis.loglog(*zip(*pairs, strict=True), "o-", color=f"C{index}", label=FAMILIES[name][0]) if pairs else None
+            axis.loglog(*zip(*pairs, strict=True), "o-", color=f"C{index}", label=family.title) if pairs else None
         low = axis.get_ylim()[0]
         for power, style in ((1.0, ":"), (2.0, "-.")):
             axis.loglog([5, 80], [2 * low, 2 * low * 16**power], style, color="0.6", label=f"slope {power:g}", zorder=0)
-        axis.set(title=title, xlabel="N")
+        axis.set(title=title, xlabel="N (grid: N^2, bodies: pairs)")
     _finish(figure, axes, path)
 
 

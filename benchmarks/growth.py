@@ -82,9 +82,9 @@ def _reference(name: str, n: int, values: np.ndarray) -> np.ndarray:
             return oracle.serial_arm(serial.ARMS[name](n), values)
 
 
-def exponent(points: list[dict[str, object]], figure: str) -> float | None:
-    """Least-squares slope of log(figure) over log(n); None below four sizes."""
+def exponent(points: list[dict[str, object]], figure: str, least: int = 4) -> float | None:
+    """Least-squares slope of log(figure) over log(n); None below `least` sizes."""
     pairs = [(float(str(p["n"])), float(str(p[figure]))) for p in points if p.get(figure) is not None]
-    if len(pairs) < 4:
+    if len(pairs) < least:
         return None
     return statistics.linear_regression([math.log(n) for n, _ in pairs], [math.log(y) for _, y in pairs]).slope

@@ -4,44 +4,81 @@ import resource
 import subprocess
 import time
 from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
 
 import ours
-from measure import in_fresh_process
+from measure import children_cpu_seconds, in_fresh_process
 
 import lagdsl
 
-# By model: what it is, the end of the motion [s], sizes.
-FAMILIES: dict[str, tuple[str, float, tuple[int, ...]]] = {
-    "four_bars": ("chain of four-bars", 0.5, (5, 10, 20, 40, 80, 160)),
-    "iftomm_a02": ("row of four-bars with shared uprights", 0.5, (5, 10, 20, 40, 80)),
-    "planar_chain": ("open chain", 0.5, (5, 10, 20, 40, 80, 160, 320)),
-    "masses": ("masses in a row", 0.5, (5, 10, 20, 40, 80, 160, 320, 640)),
-    "net": ("net of springs", 0.2, (5, 10, 20, 40)),
-    "ladder": ("ladder of coils and capacitors", 5e-3, (5, 10, 20, 40, 80, 160, 320)),
-    "balls": ("balls that bounce", 1.0, (5, 10, 20, 40, 80, 160)),
+
+class Family(NamedTuple):
+    """What a model is, the end of its motion [s], and its sizes, the last of which are ten times the largest that is
+    in use; `parts` is what costs should be proportional to, `unit` its name."""
+
+    title: str
+    stop: float
+    sizes: tuple[int, ...]
+    parts: Callable[[int], int] = lambda n: n
+    unit: str = "N"
+
+
+FAMILIES: dict[str, Family] = {
+    "iftomm_a02": Family("row of four-bars with shared uprights", 0.5, (5, 10, 20, 40, 80, 160, 320)),
+    "masses": Family("masses in a row", 0.5, (5, 10, 20, 40, 80, 160, 320, 640, 1280)),
+    "net": Family("net of springs", 0.2, (5, 10, 20, 40, 80, 160)),
+    "reissner": Family("beam with shear", 0.01, (16, 32, 64, 128, 256, 512, 1024, 2560)),
+    "ladder": Family("ladder of coils and capacitors", 5e-3, (5, 10, 20, 40, 80, 160, 320, 640, 1600)),
+    "oscillators": Family("masses on springs of their own", 1.0, (5, 50, 500, 1000, 2000, 4000)),
+    "nbody": Family(
+        "bodies that attract each other", 0.05, (5, 10, 20, 40, 80, 160), lambda n: n * (n - 1) // 2, "pairs"
+    ),
+    "balls": Family("balls that bounce", 1.0, (5, 10, 20, 40, 80, 160, 400, 800, 1600)),
+    "resting": Family("balls at rest on a floor", 0.1, (5, 10, 20, 40, 80, 200, 400, 800, 1600)),
+    "stack": Family("blocks at rest, one on another", 0.1, (5, 10, 20, 40, 80, 200, 400, 800, 1600, 4000)),
+    "planar_chain": Family("open chain", 0.5, (5, 10, 20, 40, 80, 160, 320, 640, 1250, 2500, 5000)),
+    "four_bars": Family("chain of four-bars", 0.5, (5, 10, 20, 40, 80, 160, 320, 640, 1280, 2560, 6400)),
+    "grid": Family("N by N masses on springs", 0.1, (5, 10, 20, 40, 80, 120), lambda n: n * n, "N^2"),
 }
 # Models with events: so long nothing happens [s].
 BEFORE = {"balls": 0.15}
 PIECES = 1500
 RUNS = 3
-PATIENCE = 60.0  # s of a process
+# CPU seconds for all families: sizes that would take longer are left out. What a family leaves is for the next.
+MOST = 420.0
+GROWS = 1.25
+PATIENCE = 300.0  # s of a process
 
 
 def measure(say: Callable[[str], None]) -> dict[str, object]:
     """A curve for every model of FAMILIES, each size in a process of its own."""
-    return {"runs": RUNS, "curves": {name: _curve(name, say) for name in FAMILIES}}
+    curves, left = {}, MOST
+    for done, name in enumerate(FAMILIES):
+        seconds, curves[name] = children_cpu_seconds(partial(_curve, name, left / (len(FAMILIES) - done), say))
+        left -= seconds
+    return {"runs": RUNS, "curves": curves}
 
 
-def _curve(name: str, say: Callable[[str], None]) -> list[dict[str, float]]:
+def _curve(name: str, seconds: float, say: Callable[[str], None]) -> list[dict[str, float]]:
+    """As many sizes as are expected to end within so many seconds."""
+    family = FAMILIES[name]
     points: list[dict[str, float]] = []
-    for n in FAMILIES[name][2]:
+    spent, before = 0.0, 0
+    for n in family.sizes:
+        expected = spent * (family.parts(n) / before) ** GROWS if before else 0.0
+        if expected > seconds:
+            say(f"sizes: {name} {n} and more left out")
+            break
         say(f"sizes: {name} {n}")
         try:
             code = f"import json, sizes\nprint(json.dumps(sizes.one({name!r}, {n})))"
-            points.append(dict(in_fresh_process(code, PATIENCE)))  # type: ignore[call-overload]
+            spent, found = children_cpu_seconds(partial(in_fresh_process, code, PATIENCE))
+            points.append(dict(found))  # type: ignore[call-overload]
         except (RuntimeError, subprocess.TimeoutExpired) as error:
             say(f"sizes: {name} {n} failed: {error}")
             break
+        seconds, before = seconds - spent, family.parts(n)
     return points
 
 
@@ -51,8 +88,8 @@ def one(name: str, n: int) -> dict[str, float]:
     A model of the least size runs before: imports and what is read once do not count. The tape runs the functions, so
     that no compiler takes part.
     """
-    stop = FAMILIES[name][1]
-    _made(name, FAMILIES[name][2][0]).simulate(stop=stop, interval=stop / 100)
+    stop = FAMILIES[name].stop
+    _made(name, FAMILIES[name].sizes[0]).simulate(stop=stop, interval=stop / 100)
     before = _peak()
     start = time.process_time()
     model = _made(name, n)

@@ -6,7 +6,9 @@ Results = dict[str, Any]
 _SIZES = """\
 CPU seconds of the derivation, of start values, of the motion behind them (projection and events in it), and the
 growth of the memory of the process; tapes, least of several runs, BLAS with one thread. Exponents as above, of
-all sizes."""
+all sizes; those of memory of the larger half of them, since memory of small models is noise of the process. They belong
+to N, but to N^2 masses of a grid and to N (N - 1)/2 pairs of bodies. Sizes that would take longer than the time of the
+part are left out."""
 _EVENTS = """\
 N balls have N times the events of one, at instants of their own. Each ball is an island: it has steps and instants of
 its own, so N balls cost N times one (`docs/adr/0011`). Rows of all balls at the events of all are N^2 numbers; they are
@@ -29,10 +31,11 @@ def sizes(found: Results) -> list[str]:
     lines = ["## Whole runs in the size of the model", ""]
     lines += [_SIZES, "", "![sizes](sizes.png)"]
     for name, points in found["curves"].items():
-        title, stop, _ = FAMILIES[name]
+        family = FAMILIES[name]
         lines += [
             "",
-            f"| {title}, {stop:g} s: N | derivation | start | motion | start and motion | memory [MB] | steps |",
+            f"| {family.title}, {family.stop:g} s: N "
+            "| derivation | start | motion | start and motion | memory [MB] | steps |",
         ]
         lines += ["|---|---|---|---|---|---|---|"]
         rows = [{**p, "whole": p["start"] + p["motion"], "memory": p["memory"] or None} for p in points]
@@ -41,9 +44,12 @@ def sizes(found: Results) -> list[str]:
                 f"| {p['n']} | {p['derive']:.2f} | {p['start']:.4f} | {p['motion']:.4f} | {p['whole']:.4f} "
                 f"| {p['memory'] or 0.0:.0f} | {p['steps']} |"
             )
-        slopes = [exponent(rows, key) for key in ("derive", "start", "whole", "memory")]
+        curve = [{**p, "n": family.parts(int(p["n"]))} for p in rows]
+        slopes = [exponent(curve, key) for key in ("derive", "start", "whole")]
+        slopes.append(exponent(curve[len(curve) // 2 :], "memory", least=3))
         told = ["" if slope is None else f"{slope:.2f}" for slope in slopes]
-        lines.append(f"| exponent | {told[0]} | {told[1]} | | {told[2]} | {told[3]} | |")
+        of = "" if family.unit == "N" else f" of {family.unit}"
+        lines.append(f"| exponent{of} | {told[0]} | {told[1]} | | {told[2]} | {told[3]} | |")
         lines += _events(points) if "events" in points[0] else []
     return lines
 

@@ -27,16 +27,19 @@ def occurrences(graph: Graph, elements: Sequence[int], group: Group) -> tuple[In
 
 def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> list[int]:
     """The symbols in each element, as a set of bits: those of a group from its `first` bit on. A node costs little more
-    than its operands."""
+    than its operands, and its set is forgotten behind its last use."""
     known: dict[int, int] = {}
     operands, groups = graph.operands, graph.groups
     mask = sum(1 << group for group in first)
-    for node in graph.live(elements):
-        if groups[node] & mask:
-            found = 0 if operands[node] else 1 << first[graph.group(node)] + graph.b[node]
-            for operand in operands[node]:
-                found |= known.get(operand, 0)
-            known[node] = found
+    nodes = [node for node in graph.live(elements) if groups[node] & mask]
+    last = {operand: node for node in nodes for operand in operands[node]} | dict.fromkeys(elements, -1)
+    for node in nodes:
+        found = 0 if operands[node] else 1 << first[graph.group(node)] + graph.b[node]
+        for operand in operands[node]:
+            found |= known.get(operand, 0)
+            if last[operand] == node:
+                known.pop(operand, None)
+        known[node] = found
     return [known.get(element, 0) for element in elements]
 
 

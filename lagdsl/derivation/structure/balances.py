@@ -112,7 +112,7 @@ def _forces(
 def _forces_at(functions: ProgramFunctions, space: Geometry, state: State, directions: Directions) -> _Forces:
     """From the tangents of M qdd - f - J' lam at qdd = 0 and lam = 0."""
     n, m = len(state.q), len(directions.leading)
-    columns = directions.at(replace(space, p=state.p).velocity(state.q, state.qd)[1])
+    columns = directions.at(replace(space, p=state.p).velocity(state.q, state.qd)[1].dense())
     nothing = (np.zeros(n), np.zeros(len(functions.layout.constraints)))
     held = (np.zeros_like(space.z), np.zeros_like(space.u), np.zeros_like(state.p))
     q, qd = np.vstack([np.zeros((n, n)), columns.T]), np.vstack([np.eye(n), np.zeros((m, n))])

@@ -111,7 +111,7 @@ def _endless(space: Geometry, found: Closest, rows: list[int]) -> list[int]:
         return []
     phi, jacobian = space.position(found.point)
     moved = np.abs(space.residuals(space.q)) > HOLDS * space.row_sizes
-    steps = np.abs(phi) / np.linalg.norm(jacobian * space.sizes, axis=1)
+    steps = np.abs(phi) / jacobian.with_values(jacobian.values * space.sizes[jacobian.columns]).lengths()
     return [row for row in rows if moved[row] and steps[row] > _LONG_STEP]
 
 

@@ -63,7 +63,7 @@ def report_degenerate(flat: FlatModel, space: Geometry, points: list[Probe], sin
     if not rows:
         return False
     bases = [point.q for point in points] or [space.project(space.q, rows).point]
-    parts = _unexplained(flat)
+    parts, tied = _unexplained(flat), space.pattern.counts()
     suspected = np.logical_and.reduce([_unforetold(space, base, parts) for base in bases])
     slack = np.logical_or.reduce([_slack(space, base) for base in bases])
     found = False
@@ -73,7 +73,7 @@ def report_degenerate(flat: FlatModel, space: Geometry, points: list[Probe], sin
             continue
         for index, row in enumerate(item.rows):
             off = bool(slack[row]) and switch(constraint.residuals[index]) is not None
-            if off or not (suspected[row] or slack[row]) or not np.any(space.pattern[row]):
+            if off or not (suspected[row] or slack[row]) or not tied[row]:
                 continue
             fault: _Fault | None = "slack" if slack[row] else _fault(space, bases[-1], row, parts)
             if fault is not None and not _follows(space, bases[-1], row, rows):
@@ -141,7 +141,7 @@ def _slack(space: Geometry, base: Floats) -> Flags:
     for point, phi in zip(points, looked, strict=True):
         still = somewhere & (phi == 0.0)
         if np.any(still):
-            still &= ~np.any(space.position(point)[1] != 0.0, axis=1)
+            still &= space.position(point)[1].nonzero().counts() == 0
         for near in _NEAR if np.any(still) else ():
             still &= np.logical_and.reduce([space.residuals(point + near * step) == 0.0 for step in around])
         result |= still
@@ -179,11 +179,11 @@ def _follows(space: Geometry, base: Floats, row: int, rows: list[int]) -> bool:
 
 
 def _kind(space: Geometry, point: Floats, row: int) -> _Fault:
-    if not np.all(np.isfinite(space.position(point)[1][row])):
+    if not np.all(np.isfinite(space.position(point)[1].row(row))):
         return "none"
     step = space.sizes * np.random.default_rng(SEED).standard_normal(len(point))
     far, near = (
-        float(np.linalg.norm(space.position(point + distance * step)[1][row] * space.sizes)) for distance in _NEAR
+        float(np.linalg.norm(space.position(point + distance * step)[1].row(row) * space.sizes)) for distance in _NEAR
     )
     return "vanishes" if near < 0.5 * far else "corner"
 
@@ -201,13 +201,14 @@ def _report_touching(flat: FlatModel, space: Geometry, points: list[Probe], sink
         if item.constraint.level == "position":
             for label in {label_of[row] for row in item.rows}:
                 items_of.setdefault(label, []).append(item)
+    lasting = np.ones(split.count, dtype=np.bool_)
+    lasting[[label for label, items in items_of.items() if any(comes_and_goes(i.constraint) for i in items)]] = False
     found = False
-    for parts in split.parts:
-        blocks = [entries(point.rows[rows], parts) for point in points]
+    for every in split.parts:
+        parts = every.only(lasting[every.labels])
+        blocks = [entries(point.rows.taken(rows), parts) for point in points]
         for index, label in enumerate(parts.labels.tolist()):
             columns, items = parts.columns[index], items_of.get(label, [])
-            if any(comes_and_goes(item.constraint) for item in items):
-                continue
             tried = zip(points, blocks, strict=True)
             if not all(_touches(space, point, rows, columns, block[index]) for point, block in tried):
                 continue

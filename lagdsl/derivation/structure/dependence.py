@@ -10,14 +10,18 @@ import numpy as np
 
 from lagdsl.derivation.structure.count import balance_text, counted
 from lagdsl.derivation.structure.names import comes_and_goes, joint_text, listed, located, loop_text, place
-from lagdsl.derivation.structure.points import Geometry, Probe, part_ranks
+from lagdsl.derivation.structure.points import Geometry, Probe
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.connected_blocks import Partition, entries
-from lagdsl.foundation.numerics.rank import independent_rows, minimum_norm
+from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, independent_rows, minimum_norm
+from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.model import Closure, FlatModel
 
 _MOST_NAMED = 4
+_RESIDUAL_FACTOR = 1e3
+# Rows are scaled to size one; a part whose largest singular value is below this has no content but round-off.
+_ROW = 1e-3
 _GROUND = "the equations determine the potentials up to a constant only; in a circuit, connect a `Ground` to one node"
 
 
@@ -41,29 +45,57 @@ def dependence(space: Geometry, points: list[Probe], contacts: frozenset[int]) -
         return Dependence((False,) * count, (False,) * count)
     rows = list(range(count))
     split = space.parts(rows)
-    ranks = np.array([part_ranks(space, point, rows, split) for point in points])
-    kept = np.zeros(count, dtype=np.bool_)
+    ranks = np.array([_ranks(space, point, rows, split) for point in points])
+    most = np.max(ranks, axis=0)
+    kept = np.asarray(most == np.bincount(split.row_labels, minlength=split.count))[split.row_labels]
     level = space.functions.layout.position_level
     for parts in split.parts:
-        stacks = [entries(point.rows, parts) for point in points]
-        for index, label in enumerate(parts.labels.tolist()):
+        sizes = most[parts.labels]
+        open_ = parts.only((sizes > 0) & (sizes < parts.rows.shape[1]))  # some of their rows depend on others
+        stacks = [entries(point.rows, open_) for point in points]
+        for index, label in enumerate(open_.labels.tolist()):
             best = int(np.argmax(ranks[:, label]))
-            members = parts.rows[index]
+            members = open_.rows[index]
             order = sorted(range(len(members)), key=lambda row: (members[row] in contacts, not level[members[row]]))
             kept[members] = independent_rows(stacks[best][index], order, int(ranks[best, label]))
-    largest = np.max([np.max(np.abs(point.rows), axis=1, initial=0.0) for point in points], axis=0)
+    largest = np.max([point.rows.largest() for point in points], axis=0)
     return Dependence(tuple((~kept).tolist()), tuple((largest < 1e-11).tolist()))
+
+
+def _ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition) -> Floats:
+    """Rank of each independent part of the rows at a probed point.
+
+    J is known there to the residual times the bend of the rows, so singular values below a thousand residuals are
+    none. Elimination shows the rank of many rows sooner where they are independent.
+    """
+    tolerance = max(RANK_TOLERANCE, _RESIDUAL_FACTOR * probe.residual)
+    ranks = np.zeros(split.count)
+    matrix = probe.rows.taken(rows).nonzero()
+    moved = np.zeros(split.count, dtype=np.bool_)
+    moved[split.row_labels[matrix.rows]] = True
+    for parts in split.parts:
+        live, count = parts.only(moved[parts.labels]), parts.rows.shape[1]  # open contacts are zero
+        if not len(live.labels):
+            continue
+        if count > FEW and tolerance <= _ROW:
+            own = (matrix.taken(*each) for each in zip(live.rows, live.columns, strict=True))
+            if all(independent(each) for each in own):
+                ranks[live.labels] = count
+                continue
+        values = np.linalg.svd(entries(matrix, live), compute_uv=False)
+        ranks[live.labels] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
+    return ranks
 
 
 def report_dependence(flat: FlatModel, space: Geometry, points: list[Probe], found: Dependence, sink: Sink) -> None:
     """N0701 for loops with more equations than they need, N0605 for rows without content, N0607 for rows that follow
     from others."""
-    split = space.parts(list(range(len(found.redundant))))
+    split, tied = space.parts(list(range(len(found.redundant)))), space.pattern.counts()
     for item in located(flat):
         for component, row in enumerate(item.rows):
             if not found.redundant[row] or item.constraint.closure is not None or comes_and_goes(item.constraint):
                 continue
-            if found.empty[row] and not np.any(space.pattern[row]):
+            if found.empty[row] and not tied[row]:
                 part = f"component {component + 1} of " if len(item.rows) > 1 else ""
                 sink.report("N0605", place(item.constraint), subject=f"{part}`{item.constraint.name}`")
             else:
@@ -133,7 +165,7 @@ def _sources(space: Geometry, point: Probe, found: Dependence, split: Partition,
     """Names of the kept rows that a redundant one is a combination of."""
     part = split.row_labels[row]
     kept = [index for index, other in enumerate(found.redundant) if not other and split.row_labels[index] == part]
-    weights = minimum_norm(point.rows[kept].T, point.rows[row])
+    weights = minimum_norm(point.rows.taken(kept).dense().T, point.rows.row(row))
     constraints = space.functions.layout.constraints
     if found.empty[row]:  # its gradient tells nothing of them
         names = [f"`{constraints[index].name}`" for index in kept]

@@ -71,7 +71,9 @@ def find_directions(flat: FlatModel, space: Geometry, states: list[State], found
     exact = simple(columns)
     switched = contact_rows(flat)
     looks = [(replace(space, p=state.p), state) for state in states]
-    every = [(here.velocity(state.q, state.qd)[1], here.mass(state.q, state.qd)) for here, state in looks]
+    every = [
+        (here.velocity(state.q, state.qd)[1].dense(), here.mass(state.q, state.qd).dense()) for here, state in looks
+    ]
     pairs = [each for each in every if np.isfinite(each[0]).all() and np.isfinite(each[1]).all()]
     if not pairs:
         return None

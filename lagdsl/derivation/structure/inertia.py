@@ -9,6 +9,7 @@ from lagdsl.derivation.structure.points import Geometry, Probe
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.part_by_part import free_directions, is_positive_definite
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import CHARGE
@@ -79,26 +80,29 @@ def report_direction(flat: FlatModel, index: int, why: str, sink: Sink, help: st
     sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help or known, name=coordinate.name)
 
 
-def _shows_inertia(point: Probe, mass: Floats) -> bool:
+def _shows_inertia(point: Probe, mass: SparseMatrix) -> bool:
     """True if coordinates without a mass follow from the rows, and M of the others is positive definite. Of many
     coordinates only: the directions that are free need not be formed then."""
     if len(mass) <= FEW:
         return False
-    heavy = np.diag(mass) > 0.0
-    if np.any(mass[~heavy]) or not is_positive_definite(mass[np.ix_(heavy, heavy)]):
+    heavy = mass.diagonal() > 0.0
+    moved = np.flatnonzero(heavy)
+    if np.any(mass.values[~heavy[mass.rows]]) or not is_positive_definite(mass.taken(moved, moved)):
         return False
-    return independent(point.rows[:, ~heavy].T)
+    return independent(point.rows.transposed().taken(np.flatnonzero(~heavy)))
 
 
-def _directions(space: Geometry, point: Probe, mass: Floats) -> tuple[Floats, Floats]:
+def _directions(space: Geometry, point: Probe, inertia: SparseMatrix) -> tuple[Floats, Floats]:
     """The directions without inertia by columns, orthonormal in coordinates divided by the sizes, which come second."""
+    mass = inertia.dense()
     diagonal = np.sqrt(np.abs(np.diag(mass)))
     tied = np.max(
         np.where(mass != 0.0, diagonal, 0.0), axis=1
     )  # of the coordinates that M ties to each, itself included
     heavy = np.where(diagonal > 1e-9 * tied, diagonal, 0.0)
     scale = np.where(heavy > 0.0, 1.0 / np.where(heavy > 0.0, heavy, 1.0), _beside(space, heavy))
-    free = free_directions(point.rows * (scale / space.sizes), space.parts(list(range(len(point.rows)))))
+    rows = point.rows.with_values(point.rows.values * (scale / space.sizes)[point.rows.columns])
+    free = free_directions(rows, space.parts(list(range(len(rows)))))
     values, directions = np.linalg.eigh(free.T @ ((mass * scale[:, None]) * scale) @ free)
     top = float(np.max(np.abs(values), initial=0.0))
     return free @ directions[:, np.abs(values) <= _TOLERANCE * top] if top > 0.0 else free, scale

@@ -14,6 +14,7 @@ import numpy as np
 from lagdsl.derivation.structure.points import Geometry, Probe
 from lagdsl.foundation.numerics.connected_blocks import connected_blocks, entries
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 
 # M, scaled to a unit diagonal, is singular in directions with eigenvalues below this.
 _WEIGHTLESS = 1e-10
@@ -33,28 +34,31 @@ def stiffened(
     left = np.delete(np.arange(len(space.q)), [column for _, column in exchanged])
     known = [(point.rows, point.mass) for point in points if point.mass is not None]
     masses = {id(mass): mass for _, mass in known}  # points may share a constant one
-    weightless = {key: _weightless(mass[np.ix_(left, left)], space.sizes[left]) for key, mass in masses.items()}
+    weightless = {key: _weightless(mass.taken(left, left), space.sizes[left]) for key, mass in masses.items()}
     free = [weightless[id(mass)] for _, mass in known]
     if not any(directions.shape[1] for directions in free):
         return {}
-    reach = [_without(rows, exchanged)[:, left] @ directions for (rows, _), directions in zip(known, free, strict=True)]
+    reach = [
+        _without(rows.dense(), exchanged)[:, left] @ directions
+        for (rows, _), directions in zip(known, free, strict=True)
+    ]
     longest = np.max([np.max(np.abs(at), axis=1, initial=0.0) for at in reach], axis=0)
     candidates = [row for row in independent if longest[row] > _NOTHING]
-    candidates.sort(key=lambda row: (int(np.sum(space.pattern[row])), row))
+    counts = space.pattern.counts()
+    candidates.sort(key=lambda row: (int(counts[row]), row))
     ranks = [int(np.sum(_held(at, candidates) > _NOTHING)) for at in reach]
     chosen: list[int] = []
     for row in candidates:
         if all(_holds(at, chosen, candidates, rank) for at, rank in zip(reach, ranks, strict=True)):
             break
         chosen.append(row)
-    inertia = np.median([np.diag(mass) for _, mass in known], axis=0) * space.sizes**2
+    inertia = np.median([mass.diagonal() for _, mass in known], axis=0) * space.sizes**2
     moved = {row: _moved(space, row, inertia) for row in sorted(chosen)}
     return {row: power_of_two(own / float(space.row_sizes[row]) ** 2) for row, own in moved.items()}
 
 
 def _without(rows: Floats, exchanged: Sequence[tuple[int, int]]) -> Floats:
     """Rows in which the exchanged coordinates are expressed by the others."""
-    rows = rows.copy()
     for row, column in exchanged:
         users = np.flatnonzero(rows[:, column])
         users = users[users != row]
@@ -64,20 +68,21 @@ def _without(rows: Floats, exchanged: Sequence[tuple[int, int]]) -> Floats:
 
 def _moved(space: Geometry, row: int, inertia: Floats) -> float:
     """The largest inertia of the coordinates in the row, else in their component, else of all."""
-    own = space.pattern[row]
+    own = space.pattern.row(row) != 0.0
     beside = np.isin(space.components, space.components[own])
     among = [float(np.max(inertia[which], initial=0.0)) for which in (own, beside, np.ones_like(own))]
     return next((found for found in among if found > 0.0), 1.0)
 
 
-def _weightless(mass: Floats, sizes: Floats) -> Floats:
+def _weightless(mass: SparseMatrix, sizes: Floats) -> Floats:
     """Orthonormal columns, in natural sizes, that span the directions in which M vanishes."""
-    diagonal = np.abs(np.diag(mass))
+    diagonal = np.abs(mass.diagonal())
     heavy = diagonal > _WEIGHTLESS**2 * np.max(diagonal, initial=0.0)
     scale = np.where(heavy, 1.0 / np.sqrt(np.where(heavy, diagonal, 1.0)), 1.0)
-    scaled = np.where(heavy[:, None] & heavy, mass * scale[:, None] * scale, 0.0)
+    own = mass.only(heavy[mass.rows] & heavy[mass.columns])
+    scaled = own.with_values(own.values * scale[own.rows] * scale[own.columns]).nonzero()
     found = [np.zeros((len(mass), 0))]
-    for parts in connected_blocks((scaled != 0.0) | np.eye(len(mass), dtype=np.bool_)).parts:
+    for parts in connected_blocks(_with_diagonal(scaled)).parts:
         blocks = entries(scaled, parts)
         try:  # ten times faster than eigenvalues, and mostly all that is needed
             np.linalg.cholesky(blocks - _WEIGHTLESS * np.eye(blocks.shape[1]))
@@ -89,6 +94,13 @@ def _weightless(mass: Floats, sizes: Floats) -> Floats:
             found.append((scale / sizes)[:, None] * columns)
     columns = np.hstack(found)
     return np.asarray(np.linalg.qr(columns / np.linalg.norm(columns, axis=0))[0]) if columns.shape[1] else columns
+
+
+def _with_diagonal(matrix: SparseMatrix) -> SparseMatrix:
+    """With entries on all of the diagonal: every row is in a part."""
+    empty = np.flatnonzero(matrix.diagonal() == 0.0)
+    rows, columns = np.concatenate([matrix.rows, empty]), np.concatenate([matrix.columns, empty])
+    return SparseMatrix(matrix.shape, rows, columns, np.concatenate([matrix.values, np.zeros(len(empty))]))
 
 
 def _held(reach: Floats, rows: Sequence[int]) -> Floats:

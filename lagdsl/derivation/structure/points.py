@@ -8,16 +8,16 @@ from typing import Protocol
 
 import numpy as np
 
-from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.program.program import Layout, Program
 from lagdsl.derivation.structure.functions import ProgramFunctions
 from lagdsl.derivation.structure.moments import Moment, other_moments
 from lagdsl.derivation.structure.names import balance_rows, located
 from lagdsl.derivation.structure.row_sizes import Look, row_sizes
-from lagdsl.foundation.numerics.connected_blocks import Flags, Indices, Partition, connected_blocks, entries
+from lagdsl.foundation.numerics.connected_blocks import Indices, Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer, descend
 from lagdsl.foundation.numerics.part_by_part import is_positive_definite
-from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, null_space
-from lagdsl.foundation.numerics.sparse_pivots import FEW, independent
+from lagdsl.foundation.numerics.rank import Floats, null_space
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix, sparse, sparse_at
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import Dimension
 from lagdsl.language.flat.model import Coordinate, FlatModel
@@ -27,9 +27,6 @@ SEED = 20011
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
 _EXACT = 1e-10
-_RESIDUAL_FACTOR = 1e3
-# Rows are scaled to size one; a part whose largest singular value is below this has no content but round-off.
-_ROW = 1e-3
 # Subtraction must leave this part of every pivot to show that M is positive definite.
 _SAFE_PIVOT = 1e-6
 # So many points that the median of a row's lengths hardly depends on which they are.
@@ -41,6 +38,9 @@ class Functions(Protocol):
 
     @property
     def layout(self) -> Layout: ...
+
+    @property
+    def program(self) -> Program: ...
 
     def evaluate(self, function: str, *arguments: Floats | float) -> tuple[Floats, ...]: ...
 
@@ -74,7 +74,8 @@ def groups(coordinates: tuple[Coordinate, ...], components: Sequence[int]) -> li
 class Geometry:
     """The constraints of a model as functions of q alone; everything else is held at its start.
 
-    `row_sizes`, `row_factors` (nc,) and `pattern` (nc, nq): see RowSizes.
+    `row_sizes`, `row_factors` (nc,) and `pattern` (nc, nq): see RowSizes. The entries of J stand where the program has
+    them.
     """
 
     functions: Functions
@@ -88,7 +89,7 @@ class Geometry:
     sizes: Floats
     row_sizes: Floats
     row_factors: Floats
-    pattern: Flags
+    pattern: SparseMatrix
 
     def multiplied(self, functions: Functions) -> Geometry:
         """The same with `functions` whose rows are multiplied by `row_factors`."""
@@ -109,10 +110,9 @@ class Geometry:
         """Indices of the rows that restrict q itself."""
         return [row for row, level in enumerate(self.functions.layout.position_level) if level]
 
-    def position(self, q: Floats) -> tuple[Floats, Floats]:
+    def position(self, q: Floats) -> tuple[Floats, SparseMatrix]:
         """phi (nc,) and J (nc, nq), in the branches that relations have there."""
-        phi, jacobian = self.functions.evaluate("position_constraint", *self._state(q, self.qd, self._branches(q)))
-        return phi, jacobian
+        return self._rows("position_constraint", *self._state(q, self.qd, self._branches(q)))
 
     def residuals(self, q: Floats) -> Floats:
         """phi (nc,) alone."""
@@ -138,15 +138,28 @@ class Geometry:
                 break
         return w
 
-    def velocity(self, q: Floats, qd: Floats) -> tuple[Floats, Floats]:
+    def velocity(self, q: Floats, qd: Floats) -> tuple[Floats, SparseMatrix]:
         """J qd + b (nc,) and J (nc, nq)."""
-        residual, jacobian = self.functions.evaluate("velocity_constraint", *self._state(q, qd, self.w))
-        return residual, jacobian
+        return self._rows("velocity_constraint", *self._state(q, qd, self.w))
 
-    def mass(self, q: Floats, qd: Floats) -> Floats:
-        return self.functions.evaluate("mass_matrix", *self._state(q, qd, self.w))[0]
+    def _rows(self, function: str, *state: Floats | float) -> tuple[Floats, SparseMatrix]:
+        own = self.functions
+        if isinstance(own, ProgramFunctions):
+            return own.rows(function, *state)
+        residual, dense = own.evaluate(function, *state)
+        places = np.array(own.program.function(function).results[1].places, dtype=np.intp)
+        return residual, sparse_at(places, dense.shape, dense.ravel()[places])
 
-    def mass_in_doubt(self, q: Floats, qd: Floats, *, regular: bool = False) -> Floats | None:
+    def scaled(self, jacobian: SparseMatrix) -> SparseMatrix:
+        """J (nc, nq) of coordinates in their sizes, by the sizes of its rows."""
+        values = jacobian.values * self.sizes[jacobian.columns] / self.row_sizes[jacobian.rows]
+        return jacobian.with_values(values)
+
+    def mass(self, q: Floats, qd: Floats) -> SparseMatrix:
+        own, state = self.functions, self._state(q, qd, self.w)
+        return own.mass(*state) if isinstance(own, ProgramFunctions) else sparse(own.evaluate("mass_matrix", *state)[0])
+
+    def mass_in_doubt(self, q: Floats, qd: Floats, *, regular: bool = False) -> SparseMatrix | None:
         """M, or None where it need not be formed: it is written by columns, and `regular` at another general point; or
         the equations are solved without it, and no pivot lost its digits."""
         own, state = self.functions, self._state(q, qd, self.w)
@@ -165,9 +178,9 @@ class Geometry:
         if not rows:
             return Minimizer(point=q, residual=np.zeros(0), size=0.0)
 
-        def equations(x: Floats) -> tuple[Floats, Floats]:
+        def equations(x: Floats) -> tuple[Floats, SparseMatrix]:
             phi, jacobian = self.position(x * self.sizes)
-            return phi[rows] / self.row_sizes[rows], jacobian[rows] * self.sizes / self.row_sizes[rows, None]
+            return phi[rows] / self.row_sizes[rows], self.scaled(jacobian).taken(rows)
 
         found = descend(equations, q / self.sizes, connected_blocks=self.parts(rows))
         return replace(found, point=found.point * self.sizes, residual=found.residual * self.row_sizes[rows])
@@ -179,7 +192,7 @@ class Geometry:
 
     def parts(self, rows: list[int]) -> Partition:
         """The independent parts of these rows."""
-        return connected_blocks(self.pattern[rows])
+        return connected_blocks(self.pattern.taken(rows))
 
 
 def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, seed: int = SEED) -> Geometry:
@@ -190,9 +203,9 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
     t = flat.experiment.start_time
     q, qd, z, u = functions.evaluate("start", t, parameters)
     sizes = natural_sizes(flat.coordinates, layout.components, q)
-    every = np.ones((len(layout.constraints), len(q)), dtype=np.bool_)
+    nothing = sparse(np.zeros((0, len(q))))
     open_, closed = _discretes(functions, t, q, qd, z, u, parameters)
-    plain = Geometry(functions, t, q, qd, z, u, closed, parameters, sizes, np.zeros(0), np.zeros(0), every)
+    plain = Geometry(functions, t, q, qd, z, u, closed, parameters, sizes, np.zeros(0), np.zeros(0), nothing)
     if not layout.constraints:
         return replace(plain, w=open_)
     points = [q, *random_points(flat.coordinates, q, sizes, _SIZED_AT, seed)]
@@ -206,18 +219,28 @@ def geometry(flat: FlatModel, functions: Functions, p: Floats | None = None, see
         np.isin(np.arange(len(layout.constraints)), list(balance_rows(flat))),
     )
     pattern, factors = found.pattern, found.factors
+    switched = list[int]()  # which coordinates they tie is not seen while they are off
     for item in located(flat):
         if item.constraint.friction:  # lengths of slips are compared with one force
             factors[list(item.rows)] = np.min(factors[list(item.rows)])
-        if item.constraint.switched:  # which coordinates it ties is not seen while it is off
-            pattern[list(item.rows)] = True
+        if item.constraint.switched:
+            switched += item.rows
+    if switched:
+        pattern = _filled(pattern, switched)
     return replace(plain, w=open_, row_sizes=found.natural, row_factors=factors, pattern=pattern)
+
+
+def _filled(pattern: SparseMatrix, rows: list[int]) -> SparseMatrix:
+    """With an entry at every column of these rows."""
+    whole = pattern.dense()
+    whole[rows] = 1.0
+    return sparse(whole)
 
 
 def _look(space: Geometry, q: Floats) -> Look:
     """J at q."""
 
-    def look(error: float) -> Floats:
+    def look(error: float) -> SparseMatrix:
         signs = np.random.default_rng(SEED).choice([-1.0, 1.0], len(q) + len(space.p))
         off = 1.0 + error * signs
         return replace(space, p=space.p * off[len(q) :]).velocity(q * off[: len(q)], space.qd)[1]
@@ -283,8 +306,8 @@ class Probe:
     where it is known to be regular), and how far off the position rows are, as a part of their sizes."""
 
     q: Floats
-    rows: Floats
-    mass: Floats | None
+    rows: SparseMatrix
+    mass: SparseMatrix | None
     residual: float
 
 
@@ -325,7 +348,7 @@ def probes(
     return found or rough[:wanted] or ([last] if last is not None else [])
 
 
-def _is_regular(space: Geometry, mass: Floats | None) -> bool:
+def _is_regular(space: Geometry, mass: SparseMatrix | None) -> bool:
     """True if that is asked of no further M."""
     by_columns = isinstance(space.functions, ProgramFunctions) and space.functions.by_columns
     return mass is not None and by_columns and is_positive_definite(mass)
@@ -333,18 +356,24 @@ def _is_regular(space: Geometry, mass: Floats | None) -> bool:
 
 def _sharing(probe: Probe, other: Probe) -> Probe:
     """The same without matrices of its own where those of another point are equal: constants of a large circuit."""
-    rows = other.rows if np.array_equal(probe.rows, other.rows) else probe.rows
-    alike = probe.mass is not None and other.mass is not None and np.array_equal(probe.mass, other.mass)
+    rows = other.rows if _are_equal(probe.rows, other.rows) else probe.rows
+    alike = probe.mass is not None and other.mass is not None and _are_equal(probe.mass, other.mass)
     return replace(probe, rows=rows, mass=other.mass if alike else probe.mass)
+
+
+def _are_equal(one: SparseMatrix, other: SparseMatrix) -> bool:
+    pairs = ((one.rows, other.rows), (one.columns, other.columns), (one.values, other.values))
+    return all(np.array_equal(*pair) for pair in pairs)
 
 
 def _tangent(space: Geometry, q: Floats, rows: list[int], direction: Floats) -> Floats:
     """The part of `direction` that the position rows leave free at q; all in natural sizes."""
-    jacobian = space.position(q)[1][rows] * space.sizes / space.row_sizes[rows, None]
-    if not np.all(np.isfinite(jacobian)):
+    jacobian = space.scaled(space.position(q)[1]).taken(rows)
+    if not jacobian.is_finite():
         return direction
     result = direction.copy()
-    for parts in space.parts(rows).parts:
+    jacobian = jacobian.nonzero()  # open contacts tie nothing
+    for parts in connected_blocks(jacobian).parts:
         for block, columns in zip(entries(jacobian, parts), parts.columns, strict=True):
             free = null_space(block, 1e-6)
             result[columns] = free @ (free.T @ direction[columns])
@@ -363,27 +392,8 @@ def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int], regul
     result = space.project(start, rows)
     if result.size > HOLDS:
         return None
-    scaled = space.velocity(result.point, space.qd)[1] * space.sizes / space.row_sizes[:, None]
+    scaled = space.scaled(space.velocity(result.point, space.qd)[1])
     mass = space.mass_in_doubt(result.point, rates, regular=regular)
-    if not np.all(np.isfinite(scaled)) or (mass is not None and not np.all(np.isfinite(mass))):
+    if not scaled.is_finite() or (mass is not None and not mass.is_finite()):
         return None
     return Probe(result.point, scaled, mass, result.size)
-
-
-def part_ranks(space: Geometry, probe: Probe, rows: list[int], split: Partition) -> Floats:
-    """Rank of each independent part of the rows at a probed point.
-
-    J is known there to the residual times the bend of the rows, so singular values below a thousand residuals are
-    none. Elimination shows the rank of many rows sooner where they are independent.
-    """
-    tolerance = max(RANK_TOLERANCE, _RESIDUAL_FACTOR * probe.residual)
-    ranks = np.zeros(split.count)
-    for parts in split.parts:
-        blocks = entries(probe.rows[rows], parts)
-        count = blocks.shape[1]
-        if count > FEW and tolerance <= _ROW and all(independent(block) for block in blocks):
-            ranks[parts.labels] = count
-            continue
-        values = np.linalg.svd(blocks[live := blocks.any(axis=(1, 2))], compute_uv=False)  # open contacts are zero
-        ranks[parts.labels[live]] = np.sum(values > tolerance * np.maximum(values[:, :1], _ROW), axis=1)
-    return ranks

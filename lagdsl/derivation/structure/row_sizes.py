@@ -13,10 +13,12 @@ import numpy as np
 
 from lagdsl.foundation.numerics.connected_blocks import Flags, Indices
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 from lagdsl.foundation.record import record
 
-# J (nc, nq) at one point, with relative errors of this size in the coordinates and the parameters.
-Look: TypeAlias = Callable[[float], Floats]
+# J (nc, nq) at one point, with relative errors of this size in the coordinates and the parameters. Its entries stand at
+# the same places at all points.
+Look: TypeAlias = Callable[[float], SparseMatrix]
 
 # A row that is smaller, as a part of the largest one beside it, may be round-off.
 _ROUNDING = 1e-12
@@ -36,12 +38,12 @@ class RowSizes:
     """`natural` (nc,) are sizes in natural sizes of the coordinates: for rows that are zero but for round-off that of
     the largest row beside them, for rows that are zero 1. `factors` (nc,) make rows of J as long as the longest beside
     them where they are far shorter, and are 1 elsewhere; `plain` rows are not compared, but become as long as the
-    others where they are far from that. `pattern` (nc, nq) tells which entries are not zero
+    others where they are far from that. `pattern` (nc, nq) has a one where an entry is not zero
     everywhere."""
 
     natural: Floats
     factors: Floats
-    pattern: Flags
+    pattern: SparseMatrix
 
 
 def row_sizes(
@@ -60,7 +62,8 @@ def row_sizes(
     absent = np.maximum(_ABSENT * natural, np.where(noise, _ROUNDING * beside, 0.0))
     factors = _factors(np.where(noise, 0.0, lengths), measured.largest, components, plain)
     size = np.where(noise, beside, np.where(natural > 0.0, natural, 1.0))
-    return RowSizes(size, factors, measured.largest > absent[:, None])
+    there = measured.largest.only(measured.largest.values > absent[measured.largest.rows])
+    return RowSizes(size, factors, there.with_values(np.ones(len(there.values))))
 
 
 @record()
@@ -70,25 +73,22 @@ class Measured:
 
     natural: Floats
     lengths: Floats
-    largest: Floats
+    largest: SparseMatrix
 
 
 def _measured(looks: Sequence[Look], error: float, sizes: Floats) -> Measured:
     """J at each point, or how it changes there with an error of the numbers that enter."""
-    natural, lengths, largest = [], [], None
+    natural, lengths, largest = [], [], list[Floats]()
     for look in looks:
-        matrix = look(error) - look(0.0) if error else look(0.0)
-        rows, columns = np.nonzero(matrix)
-        entries = np.abs(matrix[rows, columns])
-        scaled = entries * sizes[columns]
-        natural.append(_roots_of_squares(rows, scaled, len(matrix)))
-        lengths.append(_lengths(rows, entries, len(matrix)))
-        if largest is None:
-            largest = np.zeros(matrix.shape)
-        seen = np.where(np.isfinite(scaled), scaled, np.inf)
-        largest[rows, columns] = np.maximum(largest[rows, columns], seen)
-    assert largest is not None
-    return Measured(np.array(natural), np.array(lengths), largest)
+        matrix = look(0.0)
+        values = look(error).values - matrix.values if error else matrix.values
+        there = matrix.with_values(np.abs(values)).nonzero()
+        scaled = there.values * sizes[there.columns]
+        natural.append(_roots_of_squares(there.rows, scaled, len(matrix)))
+        lengths.append(_lengths(there.rows, there.values, len(matrix)))
+        seen = np.abs(values) * sizes[matrix.columns]
+        largest.append(np.where(np.isfinite(seen), seen, np.inf))
+    return Measured(np.array(natural), np.array(lengths), matrix.with_values(np.max(largest, axis=0)))
 
 
 def _roots_of_squares(rows: Indices, entries: Floats, count: int) -> Floats:
@@ -105,7 +105,7 @@ def _lengths(rows: Indices, entries: Floats, count: int) -> Floats:
     return np.asarray(unit * _roots_of_squares(rows, entries / unit[rows], count))
 
 
-def _factors(lengths: Floats, largest: Floats, components: Indices, plain: Flags) -> Floats:
+def _factors(lengths: Floats, largest: SparseMatrix, components: Indices, plain: Flags) -> Floats:
     """Powers of two, which round nothing."""
     beside = _largest_beside(np.where(plain, 0.0, lengths), largest, components)
     far = (lengths > 0.0) & (lengths < _FAR * beside) & np.isfinite(beside)
@@ -114,15 +114,24 @@ def _factors(lengths: Floats, largest: Floats, components: Indices, plain: Flags
     return np.where(far, 2.0 ** np.minimum(power, _MOST), 1.0)
 
 
-def _largest_beside(row_sizes: Floats, entries: Floats, components: Indices) -> Floats:
+def _largest_beside(row_sizes: Floats, entries: SparseMatrix, components: Indices) -> Floats:
     """The largest size (nc,) of a row in the component of each row, which is that of its largest entry in `entries`
     (nc, nq)."""
     if not len(row_sizes) or not entries.shape[1]:
         return np.zeros(len(row_sizes))
-    own = components[np.argmax(entries, axis=1)]
+    own = components[_first_largest(entries)]
     most = np.zeros(int(np.max(own)) + 1)
     np.maximum.at(most, own, row_sizes)
     return np.asarray(most[own])
+
+
+def _first_largest(matrix: SparseMatrix) -> Indices:
+    """The column of the largest entry of each row (m,), the first of several; 0 of a row without entries."""
+    found = np.zeros(len(matrix), dtype=np.intp)
+    order = np.lexsort((matrix.columns, -matrix.values, matrix.rows))
+    rows, first = np.unique(matrix.rows[order], return_index=True)
+    found[rows] = matrix.columns[order[first]]
+    return found
 
 
 def _usual(lengths: Floats, count: int) -> Floats:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 from lagdsl.foundation.record import record
 
 Floats = NDArray[np.float64]
@@ -23,6 +24,10 @@ class Parts:
     labels: Indices
     rows: Indices
     columns: Indices
+
+    def only(self, chosen: Flags) -> Parts:
+        """Those that are flagged (k,)."""
+        return Parts(self.labels[chosen], self.rows[chosen], self.columns[chosen])
 
 
 @record()
@@ -47,10 +52,9 @@ class Partition:
         return np.where(chosen[self.column_labels], point, other)
 
 
-def connected_blocks(pattern: Flags) -> Partition:
-    """The finest partition of rows and columns for which entries outside of `pattern` (m, n) are zero."""
-    m, n = pattern.shape
-    rows, columns = np.nonzero(pattern)
+def connected_blocks(pattern: SparseMatrix) -> Partition:
+    """The finest partition of rows and columns for which entries that are not among those of `pattern` are zero."""
+    (m, n), rows, columns = pattern.shape, pattern.rows, pattern.columns
     first = np.arange(m + n)  # a row or column of the same part that comes before, in the end the first
     while True:
         one, other = first[rows], first[m + columns]
@@ -91,9 +95,26 @@ def whole(m: int, n: int) -> Partition:
     return labelled(np.zeros(m, dtype=np.intp), np.zeros(n, dtype=np.intp), 1)
 
 
-def entries(matrix: Floats, parts: Parts) -> Floats:
+def entries(matrix: Floats | SparseMatrix, parts: Parts) -> Floats:
     """The blocks (k, r, c) of a matrix."""
-    return np.asarray(matrix[parts.rows[:, :, None], parts.columns[:, None, :]])
+    if not isinstance(matrix, SparseMatrix):
+        return np.asarray(matrix[parts.rows[:, :, None], parts.columns[:, None, :]])
+    (count, r), c = parts.rows.shape, parts.columns.shape[1]
+    row_block, row = _places(parts.rows, matrix.shape[0])
+    column_block, column = _places(parts.columns, matrix.shape[1])
+    block = row_block[matrix.rows]
+    own = (block >= 0) & (block == column_block[matrix.columns])
+    found = np.zeros((count, r, c))
+    found[block[own], row[matrix.rows[own]], column[matrix.columns[own]]] = matrix.values[own]
+    return found
+
+
+def _places(members: Indices, count: int) -> tuple[Indices, Indices]:
+    """For each of `count` the number of its part, -1 if it is in none of them, and its place there."""
+    block, place = np.full(count, -1, dtype=np.intp), np.zeros(count, dtype=np.intp)
+    block[members] = np.arange(len(members))[:, None]
+    place[members] = np.arange(members.shape[1])
+    return block, place
 
 
 def _norms(labels: Indices, values: Floats, count: int) -> Floats:

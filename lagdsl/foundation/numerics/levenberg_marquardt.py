@@ -16,8 +16,10 @@ import numpy as np
 
 from lagdsl.foundation.numerics.connected_blocks import Partition, entries, whole
 from lagdsl.foundation.numerics.rank import Floats, minimum_norms
+from lagdsl.foundation.numerics.sparse_matrix import Flags, SparseMatrix
 from lagdsl.foundation.record import record
 
+Jacobian = Floats | SparseMatrix
 Equations = Callable[[Floats], tuple[Floats, Floats]]
 Bounds = tuple[Floats, Floats]  # lower, upper, both (n,)
 
@@ -36,7 +38,7 @@ class Minimizer:
 
 
 def descend(
-    equations: Equations,
+    equations: Callable[[Floats], tuple[Floats, Jacobian]],
     start: Floats,
     *,
     target: float = 1e-13,
@@ -46,7 +48,8 @@ def descend(
 ) -> Minimizer:
     """Reduce |residual| from `start` until it is below `target`, stalls or `iterations` are used up.
 
-    `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one. Once below `target` it
+    `equations(x)` gives residual (m,) and Jacobian (m, n), both scaled to be of order one; the entries of a sparse one
+    stand at the same places everywhere. Once below `target` it
     goes on as long as whole steps still halve the residual, so the result is as exact as the arithmetic allows.
     `connected_blocks` says which of them are independent. The points stay within `bounds`.
     """
@@ -75,7 +78,7 @@ def descend(
         point = split.mixed(better, trial, point)
         rows = better[split.row_labels]
         residual = np.where(rows, new_residual, residual)
-        jacobian = np.where(rows[:, None], new_jacobian, jacobian)
+        jacobian = _rows_of(rows, new_jacobian, jacobian)
         sizes = np.where(better, new_sizes, sizes)
         relaxed = np.where(damping > _SMALLEST_DAMPING, damping / 3.0, 0.0)
         damping = np.where(better, relaxed, np.maximum(4.0 * damping, _SMALLEST_DAMPING))
@@ -83,27 +86,44 @@ def descend(
     return Minimizer(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
 
 
-def _within(bounds: Bounds, point: Floats, step_of: Callable[[Floats], Floats], jacobian: Floats) -> Floats:
+def _rows_of(chosen: Flags, new: Jacobian, old: Jacobian) -> Jacobian:
+    """The chosen rows of `new`, the others of `old`."""
+    if isinstance(new, SparseMatrix):
+        assert isinstance(old, SparseMatrix), "it has one form everywhere"
+        return new.with_values(np.where(chosen[new.rows], new.values, old.values))
+    assert not isinstance(old, SparseMatrix), "it has one form everywhere"
+    return np.where(chosen[:, None], new, old)
+
+
+def _held_at(bounds: Flags, jacobian: Jacobian) -> Jacobian:
+    """Without the columns of unknowns that stay."""
+    if isinstance(jacobian, SparseMatrix):
+        return jacobian.with_values(np.where(bounds[jacobian.columns], 0.0, jacobian.values))
+    return np.where(bounds, 0.0, jacobian)
+
+
+def _within(bounds: Bounds, point: Floats, step_of: Callable[[Jacobian], Floats], jacobian: Jacobian) -> Floats:
     """End of the step that leads no unknown out of a bound at which it stands."""
     lower, upper = bounds
     held = np.zeros(len(point), dtype=np.bool_)
     while True:
-        step = step_of(np.where(held, 0.0, jacobian))
+        step = step_of(_held_at(held, jacobian))
         leaving = ~held & (((point <= lower) & (step > 0.0)) | ((point >= upper) & (step < 0.0)))
         if not np.any(leaving):
             return np.clip(point - step, lower, upper)
         held |= leaving
 
 
-def _step(split: Partition, residual: Floats, damping: Floats, active: np.ndarray, jacobian: Floats) -> Floats:
+def _step(split: Partition, residual: Floats, damping: Floats, active: np.ndarray, jacobian: Jacobian) -> Floats:
     """Steps of the active parts; one whose Jacobian is no number becomes inactive."""
     step = np.zeros(jacobian.shape[1])
     for parts in split.parts:
-        if not np.any(active[parts.labels]):
+        here = parts.only(active[parts.labels])
+        if not len(here.labels):
             continue
-        blocks = entries(jacobian, parts)
-        active[parts.labels] &= np.all(np.isfinite(blocks), axis=(1, 2))
-        live = active[parts.labels]
-        rows, columns = parts.rows[live], parts.columns[live]
-        step[columns] = minimum_norms(blocks[live], residual[rows], damping=damping[parts.labels[live]])
+        blocks = entries(jacobian, here)
+        finite = np.all(np.isfinite(blocks), axis=(1, 2))
+        active[here.labels] = finite
+        rows, columns, damped = here.rows[finite], here.columns[finite], damping[here.labels[finite]]
+        step[columns] = minimum_norms(blocks[finite], residual[rows], damping=damped)
     return step

@@ -9,7 +9,8 @@ from __future__ import annotations
 from heapq import heapify, heappop, heappush
 
 import numpy as np
-from numpy.typing import NDArray
+
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 
 # Singular values of fewer rows take no longer.
 FEW = 50
@@ -21,20 +22,20 @@ _LEFT = 1e-3
 _FILL = 20
 
 
-def independent(matrix: NDArray[np.float64]) -> bool:
+def independent(matrix: SparseMatrix) -> bool:
     """True if elimination shows that the rows of (m, n) are independent; False where it does not tell.
 
     A part of 1e-3 of each row is left by the others, and the fill is bounded.
     """
     m, n = matrix.shape
-    sizes = np.max(np.abs(matrix), axis=1, initial=0.0)
+    sizes = matrix.largest()
     if m > n or not np.all(np.isfinite(sizes)) or not np.all(sizes > 0.0):
         return False
     rows: list[dict[int, float]] = [{} for _ in range(m)]
     columns: list[set[int]] = [set() for _ in range(n)]
-    places = np.nonzero(matrix)
-    values = matrix[places] / sizes[places[0]]
-    for i, j, value in zip(places[0].tolist(), places[1].tolist(), values.tolist(), strict=True):
+    there = matrix.nonzero()
+    values = there.values / sizes[there.rows]
+    for i, j, value in zip(there.rows.tolist(), there.columns.tolist(), values.tolist(), strict=True):
         rows[i][j] = value
         columns[j].add(i)
 

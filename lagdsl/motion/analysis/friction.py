@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from lagdsl.foundation.numerics.connected_blocks import Flags, connected_blocks
 from lagdsl.foundation.numerics.rank import RANK_TOLERANCE, Floats, null_space
+from lagdsl.foundation.numerics.sparse_matrix import sparse
 from lagdsl.language.flat.events import Friction
 from lagdsl.language.flat.listing import force_unit
 from lagdsl.motion.analysis.point import Flow, System
@@ -163,7 +164,7 @@ def _shared(system: System, here: Flow, sticking: Sequence[_Law]) -> tuple[Float
     unit = columns[:, active] / lengths[active]
     free = null_space(unit)
     projection = np.abs(free @ free.T)
-    blocks = connected_blocks(projection > RANK_TOLERANCE)
+    blocks = connected_blocks(sparse(projection > RANK_TOLERANCE))
     for parts in blocks.parts:
         for own in parts.rows:
             without_effect = null_space(unit[:, own]) / lengths[active[own], None]

@@ -110,7 +110,7 @@ class _Task:
             return np.zeros(0), np.zeros((0, len(x)))
         phi, jacobian = self.space.position(self.q(x))
         sizes = self.space.row_sizes[rows]
-        return phi[rows] / sizes, jacobian[rows] * (self.space.sizes * self.free) / sizes[:, None]
+        return phi[rows] / sizes, jacobian.taken(rows).dense() * (self.space.sizes * self.free) / sizes[:, None]
 
 
 def inverse_kinematics(
@@ -125,7 +125,7 @@ def inverse_kinematics(
     lower, upper = _limits(flat)
     places = [start, *(np.clip(q, lower, upper) for q in random_points(flat.coordinates, start, space.sizes, _TRIES))]
     levers = np.array([pose(q)[2] * space.sizes for q in places[: _SIZED_AT + 1]])
-    moving = _contributing(np.any(levers != 0.0, axis=(0, 1)), space.pattern[space.position_rows])
+    moving = _contributing(np.any(levers != 0.0, axis=(0, 1)), space.pattern.taken(space.position_rows).dense() != 0.0)
     places = [np.where(moving, q, start) for q in places]
     reach = _reach(levers)
     task = _Task(

@@ -13,6 +13,7 @@ from lagdsl.derivation.structure.names import located
 from lagdsl.engines.backends.start import free_parameters
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat.display import Display, display, display_rate
 from lagdsl.language.flat.model import FlatModel
@@ -55,14 +56,14 @@ class MovedRow:
 @record(kw_only=True)
 class Starts:
     """Start values x (2 nq + nz,) with their natural sizes, and which of them are fixed or written; `pattern` (nc, nq)
-    tells which coordinates a row depends on, `count` is nq."""
+    has the coordinates that a row depends on, `count` is nq."""
 
     flat: FlatModel
     x: Floats
     sizes: Floats
     fixed: Flags
     written: Flags
-    pattern: Flags
+    pattern: SparseMatrix
     count: int
 
 
@@ -136,7 +137,9 @@ def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None
 def _in_loops(starts: Starts) -> Flags:
     """Coordinates (nq,) that closures of loops hold: their starts choose how the loop is assembled, and are guesses
     even where they are written."""
-    return np.asarray(starts.pattern[_rows_of_closures(starts.flat)].any(axis=0))
+    pattern, held = starts.pattern, np.zeros(starts.pattern.shape[1], dtype=np.bool_)
+    held[pattern.columns[np.isin(pattern.rows, _rows_of_closures(starts.flat))]] = True
+    return held
 
 
 @remembered

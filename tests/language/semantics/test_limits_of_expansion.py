@@ -13,7 +13,7 @@ from flattening import run, said
 from lagdsl.language.flat import model as fm
 from lagdsl.language.semantics.operators import arrays
 from lagdsl.language.semantics.scope import limits
-from lagdsl.language.semantics.scope.limits import MAX_TURNS
+from lagdsl.language.semantics.scope.limits import MAX_COORDINATES, MAX_TURNS
 
 HEAD = "model A\n  coordinate Length x;\n"
 
@@ -75,7 +75,7 @@ def test_what_is_too_large() -> None:
     assert MAX_TURNS <= 1_000_000
 
 
-@pytest.mark.parametrize("size", [5001, 10**30])
+@pytest.mark.parametrize("size", [MAX_COORDINATES + 1, 10**30])
 def test_coordinates_are_counted_before_anything_is_made_of_them(size: int) -> None:
     text = f"model A\n  coordinate Length x[{size}];\n  kinetic 1/2*(1 kg)*der(x)*der(x);\nend A;"
     start = time.process_time()

@@ -105,6 +105,20 @@ def test_columns_are_made_when_they_are_read(balls: lagdsl.Model, monkeypatch: p
     assert len(motion["h[3]"]) == len(motion.time) and len(motion["der(h[3])"]) == len(motion.time) and asked == [2]
 
 
+def test_islands_that_are_alike_have_one_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two of four balls fall from one height: three runs tell the rows and the events of all."""
+    alike = lagdsl.compile(BALLS.replace("{0.2 m, 0.35 m, 0.5 m, 1 m}", "{0.2 m, 0.5 m, 0.5 m, 1 m}"), engine="tape")
+    made: list[object] = []
+    run = Runs._result
+    monkeypatch.setattr(Runs, "_result", lambda own, piece: [made.append(piece), run(own, piece)][1])
+    motion = alike.simulate(stop=STOP, interval=0.1)
+    assert len(made) == 3
+    times = [[each.time for each in motion.events if each.name == f"floor[{k}]"] for k in (1, 2, 3)]
+    assert times[0] != times[1] == times[2] and len(times[1]) > 3
+    np.testing.assert_array_equal(motion["h[2]"], motion["h[3]"])
+    assert motion.column("e[2]").highest == pytest.approx(0.5 * G)
+
+
 def test_it_is_taken_to_other_processes(motion: lagdsl.Trajectory) -> None:
     copy = pickle.loads(pickle.dumps(motion))
     assert copy.events == motion.events

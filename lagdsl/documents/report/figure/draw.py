@@ -23,6 +23,7 @@ from lagdsl.documents.report.names import indexed
 from lagdsl.foundation.numerics.connected_blocks import connected_blocks
 from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.numerics.sparse_matrix import sparse
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.motion.pipeline import Compilation
@@ -141,7 +142,7 @@ def _pieces(form: str) -> list[Floats]:
     mesh = triangles(form)
     touched = np.zeros((len(mesh.corners), len(mesh.points)), dtype=bool)
     np.put_along_axis(touched, mesh.corners, True, axis=1)
-    labels = connected_blocks(touched).column_labels
+    labels = connected_blocks(sparse(touched)).column_labels
     return [mesh.points[labels == k] for k in np.unique(labels)]
 
 

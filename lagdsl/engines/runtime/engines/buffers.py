@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import mmap
+import sys
 from ctypes import addressof, c_char
 from typing import Any
 
@@ -14,6 +16,8 @@ from lagdsl.engines.runtime.engines.native_model import NativeModel
 # Bytes of the longest vector: what starts at a multiple of it is read fastest.
 _ALIGNMENT = 64
 _byte_of: Any = c_char.from_buffer
+# Bytes from which on memory is that of `zeros_of`: a few pages more for each block do not count then.
+_LARGE = 1 << 23
 
 
 def place_of(array: NDArray[Any]) -> int:
@@ -29,10 +33,28 @@ def _told_place(array: NDArray[Any]) -> int:
     return array.__array_interface__["data"][0]  # type: ignore[no-any-return]
 
 
+# Pages that are never touched need not be there for them: MAP_NORESERVE of Linux, which Python's module does not name.
+_NO_RESERVE = 0x4000 if sys.platform == "linux" else 0
+
+
+def zeros_of(size: int) -> Floats:
+    """So many bytes, in pages of the system that are there when they are touched: matrices of large models have few
+    entries, but may be larger than all memory.
+
+    NumPy asks for huge pages, of which an entry in each row of a matrix touches all.
+    """
+    bytes = -(-size // 8) * 8
+    if sys.platform == "win32":
+        block = mmap.mmap(-1, bytes)
+    else:
+        block = mmap.mmap(-1, bytes, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | _NO_RESERVE)
+    return np.frombuffer(block, dtype=np.float64)
+
+
 def aligned(count: int) -> Floats:
     """Zeros."""
     spare = _ALIGNMENT // 8
-    whole = np.zeros(count + spare)
+    whole = np.zeros(count + spare) if 8 * count < _LARGE else zeros_of(8 * (count + spare))
     first = -(whole.ctypes.data // 8) % spare
     return whole[first : first + count]
 

@@ -12,7 +12,7 @@ import numpy as np
 from lagdsl.derivation.program.islands.partition import Island
 from lagdsl.derivation.program.program import Layout
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.motion.simulate.islands.pieces import Indices, Places
+from lagdsl.motion.simulate.islands.pieces import Indices
 from lagdsl.motion.simulate.islands.runs import IslandResult
 
 # Numbers of a row behind the columns: energy, residuals of positions, residuals of velocities.
@@ -38,17 +38,16 @@ class MergedRows:
 
     def __init__(
         self,
-        layout: Layout,
-        islands: Sequence[Island],
+        columns: Sequence[Indices],
         results: Sequence[IslandResult],
         again: Callable[[int, Floats], Floats],
     ) -> None:
+        """`columns` of all islands, as Places has them."""
         self._rows = [result.rows for result in results]
         self._again, self._merged = again, [False] * len(results)
-        places = Places(layout)
         self._column: dict[int, tuple[int, int]] = {}
-        for number, island in enumerate(islands):
-            for k, place in enumerate(places.of_columns(island).tolist()):
+        for number, own in enumerate(columns):
+            for k, place in enumerate(own.tolist()):
                 self._column[1 + place] = number, 1 + k
 
     @cached_property

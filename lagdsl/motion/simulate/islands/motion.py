@@ -41,6 +41,7 @@ class _Joined:
         self._task, self._layout, self._runs = task, task.asked.engine.layout, runs
         self._places = Places(self._layout)
         self._results, self._islands = results, [piece.island for piece in pieces]
+        self._columns = [self._places.of_columns(island) for island in self._islands]
 
     def found(self) -> tuple[Trajectory, list[float]]:
         task, asked = self._task, self._task.asked
@@ -54,12 +55,12 @@ class _Joined:
 
     def _recorded(self) -> Recorded:
         flat, layout = self._task.asked.flat, self._layout
-        rows = MergedRows(layout, self._islands, self._results, self._runs.again)
+        rows = MergedRows(self._columns, self._results, self._runs.again)
         places = places_of_columns(flat)
         ends = np.array([[np.inf], [-np.inf]]) * np.ones(self._places.width)
         drifts = np.zeros((3, len(layout.invariants)))
-        for island, result in zip(self._islands, self._results, strict=True):
-            ends[:, self._places.of_columns(island)] = result.ends
+        for island, columns, result in zip(self._islands, self._columns, self._results, strict=True):
+            ends[:, columns] = result.ends
             drifts[:, island.places["ni"]] = result.drifts
         return Recorded(
             columns=Chosen(rows, places),
@@ -72,8 +73,8 @@ class _Joined:
 
     def _turns(self) -> list[float]:
         turns = np.zeros(self._places.size)
-        for island, result in zip(self._islands, self._results, strict=True):
-            turns[self._places.of_state(island)] = result.turns
+        for columns, result in zip(self._columns, self._results, strict=True):
+            turns[columns[: len(result.turns)]] = result.turns  # those of the state come first
         found: list[float] = turns.tolist()
         return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,8 @@ Indices = NDArray[np.intp]
 @record()
 class Piece:
     """An island with the settings of its run but for the times of rows, and its start: the state x, the sizes of rows
-    of constraints, and which of these depend on others."""
+    of constraints, and which of these depend on others. Pieces of one `kind` differ in names alone: they have one
+    motion."""
 
     engine: Engine
     island: Island
@@ -34,6 +35,7 @@ class Piece:
     x: Floats
     row_sizes: Floats
     dependent: Sequence[bool]
+    kind: tuple[object, ...]
 
 
 def pieces_of(engine: Engine, run: Run, initial: InitialState) -> list[Piece]:
@@ -44,14 +46,13 @@ def pieces_of(engine: Engine, run: Run, initial: InitialState) -> list[Piece]:
     if not classes or not isinstance(settings.inputs, (np.ndarray, TabledInputs)):
         return []
     cut = _Cut(program.layout, settings, run, initial)
-    engines, places = _engines(program), Places(program.layout)
-    found: list[Piece] = []
+    engines = _engines(program)
+    found: list[tuple[int, Piece]] = []
     for number, each in enumerate(classes):
         if (engine.name, number) not in engines:
             engines[engine.name, number] = engine_of(each.program, engine.name)
-        own, start = engines[engine.name, number], _start(each, initial.t)
-        found += [cut.piece(own, member, start) for member in each.members]
-    return sorted(found, key=lambda piece: int(places.of_state(piece.island)[0]))
+        found += cut.pieces(engines[engine.name, number], number, each)
+    return [piece for _, piece in sorted(found, key=lambda each: each[0])]
 
 
 @remembered
@@ -70,20 +71,34 @@ def _start(each: IslandClass, t: float) -> Start:
 
 
 class _Cut:
-    """Cuts settings and start of a whole model."""
+    """Cuts settings and start of a whole model, those of a class of islands together."""
 
     def __init__(self, layout: Layout, settings: RunSettings, run: Run, initial: InitialState) -> None:
         self._places, self._settings, self._p, self._initial = Places(layout), settings, run.p, initial
         self._row_sizes, self._dependent = run.row_sizes, np.array(initial.redundant, dtype=np.bool_)
         self._redundant = np.array(layout.redundant, dtype=np.bool_)
 
-    def piece(self, engine: Engine, member: Member, start: Start) -> Piece:
-        own, rows = self._settings, member.island.places["nc"]
-        tolerance = own.invariant_tolerance
-        settings = RunSettings(
+    def pieces(self, engine: Engine, number: int, islands: IslandClass) -> Iterator[tuple[int, Piece]]:
+        """Those of the class of this number, each behind the place of its first coordinate or state."""
+        members = islands.members
+        states = np.array([self._places.of_state(each.island) for each in members])
+        rows = np.array([each.island.places["nc"] for each in members])
+        measures = self._measures(states, rows, _start(islands, self._initial.t))
+        x, row_sizes, dependent = self._initial.x[states], self._row_sizes[rows], self._dependent[rows]
+        for k, member in enumerate(members):
+            settings = self._of(member, measures[k])
+            watched = b"" if settings.invariant_tolerance is None else settings.invariant_tolerance.tobytes()
+            numbers = (settings.p, x[k], row_sizes[k], dependent[k])
+            kind = (number, id(measures[k]), tuple(member.inputs), watched, *(each.tobytes() for each in numbers))
+            piece = Piece(engine, member.island, settings, x[k], row_sizes[k], dependent[k].tolist(), kind)
+            yield int(states[k, 0]), piece
+
+    def _of(self, member: Member, measures: Measures) -> RunSettings:
+        own, tolerance = self._settings, self._settings.invariant_tolerance
+        return RunSettings(
             p=np.concatenate([self._p[list(member.parameters)], member.numbers]),
             inputs=self._inputs(list(member.inputs)),
-            measures=self._measures(member.island, start),
+            measures=measures,
             times=own.times,
             tolerance=own.tolerance,
             part=own.part,
@@ -92,8 +107,6 @@ class _Cut:
             length=own.length,
             invariant_tolerance=None if tolerance is None else tolerance[member.island.places["ni"]],
         )
-        x = self._initial.x[self._places.of_state(member.island)]
-        return Piece(engine, member.island, settings, x, self._row_sizes[rows], self._dependent[rows].tolist())
 
     def _inputs(self, places: list[int]) -> Floats | TabledInputs:
         inputs = self._settings.inputs
@@ -102,18 +115,38 @@ class _Cut:
         assert isinstance(inputs, np.ndarray), "no function of Python tells them"
         return inputs[places]
 
-    def _measures(self, island: Island, start: Start) -> Measures:
-        whole, rows = self._settings.measures, island.places["nc"]
-        places = self._places.of_state(island)
-        _, group = np.unique(whole.group[places], return_inverse=True)
-        return Measures(
-            start=start,
-            group=_kept(group.astype(np.float64)),
-            natural=_kept(whole.natural[places]),
-            cap=_kept(whole.cap[places]),
-            lasting=_kept(whole.lasting[rows]),
-            general=int(np.sum((whole.lasting[rows] != 0.0) & ~self._redundant[rows])),
-        )
+    def _measures(self, states: Indices, rows: Indices, start: Start) -> list[Measures]:
+        """Of islands with these states (k, n) and rows (k, m); one for all that have the same."""
+        whole = self._settings.measures
+        group, natural, cap = _ranked(whole.group[states]), whole.natural[states], whole.cap[states]
+        lasting = whole.lasting[rows]
+        general = np.sum((lasting != 0.0) & ~self._redundant[rows], axis=1)
+        known: dict[bytes, Measures] = {}
+        found = []
+        for k, every in enumerate(np.hstack([group, natural, cap, lasting, general[:, None]])):
+            key = every.tobytes()
+            if key not in known:
+                known[key] = Measures(
+                    start=start,
+                    group=_kept(group[k].copy()),
+                    natural=_kept(natural[k].copy()),
+                    cap=_kept(cap[k].copy()),
+                    lasting=_kept(lasting[k].copy()),
+                    general=int(general[k]),
+                )
+            found.append(known[key])
+        return found
+
+
+def _ranked(values: Floats) -> Floats:
+    """The number (k, n) of each value among those of its row, the least first; equal ones have one number."""
+    order = np.argsort(values, axis=1, kind="stable")
+    ascending = np.take_along_axis(values, order, axis=1)
+    numbers = np.zeros(values.shape)
+    numbers[:, 1:] = np.cumsum(ascending[:, 1:] != ascending[:, :-1], axis=1)
+    found = np.empty(values.shape)
+    np.put_along_axis(found, order, numbers, axis=1)
+    return found
 
 
 def _kept(values: Floats) -> Floats:

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
@@ -15,6 +16,21 @@ size_t lag_initial_memory(const lag_model *model)
     const size_t ranks = lag_larger(lag_initialization_rank_memory(model), lag_initialization_look_memory(model));
     const size_t sizes = lag_larger(lag_initialization_row_sizes_memory(model), lag_parts_memory(model->nc, model->nq));
     return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), lag_larger(ranks, sizes));
+}
+
+size_t lag_initial_entries(const lag_model *model, size_t *row, size_t *column)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->nc; ++i) {
+        const lag_entries entries = lag_entries_of(model, i);
+        for (size_t k = entries.first; k < entries.end; ++k, ++count) {
+            if (row != NULL) {
+                row[count] = i;
+                column[count] = lag_entry_column(&entries, k);
+            }
+        }
+    }
+    return count;
 }
 
 static size_t first_wrong(size_t count, const double *x)
@@ -145,10 +161,7 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             find(&b, set, x);
             b.told.freedom = find_freedom(&b, set, x);
             copy(model->nc, b.row_sizes, found.row_sizes);
-            if (found.pattern != NULL) {
-                lag_fill(model->nc * model->nq, 0.0, found.pattern);
-                lag_initialization_spread(&b, found.pattern);
-            }
+            copy(lag_entries_count(model), b.pattern, found.pattern);
             found = b.told;
             found.moved = differ(lag_motion_size(model), b.starts.x, x);
             check_bounds(model, start, &found);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"
@@ -17,6 +18,7 @@ typedef struct positions {
     lag_initialization *b;
     size_t count;  /* coordinates that are free */
     double *free;  /* (count) which they are */
+    double *number; /* (nq) for each coordinate its place among them, or -1 */
     double *base;  /* (nq) where they begin */
     double *met;   /* (rows) 1: met while written start values were held */
     lag_parts parts; /* of the rows and the free coordinates, in a search */
@@ -26,7 +28,7 @@ size_t lag_initialization_q_memory(const lag_model *model)
 {
     const size_t m = lag_initialization_rows(model);
     const size_t n = model->nq;
-    return 2 * n + m + m * n + n + LAG_NEAREST_GUESSES * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
+    return 3 * n + m + n + LAG_NEAREST_GUESSES * n + lag_parts_memory(m, n) + lag_larger(lag_nearest_configuration_memory(m, n), m * n + lag_svd_memory(m, n));
 }
 
 /* True if initial equations determine coordinates of a row. */
@@ -160,15 +162,28 @@ static void choose_movable(positions *p, int hold)
 }
 
 /* Independent parts of the rows, by the coordinates that may move. */
-static lag_parts find_parts(const positions *p, double *pattern, double *memory)
+static lag_parts find_parts(const positions *p, double *memory)
 {
     const lag_initialization *b = p->b;
+    const lag_model *model = b->motion->model;
+    lag_parts parts = lag_parts_begin(b->rows, p->count, memory);
+    for (size_t j = 0; j < model->nq; ++j) {
+        p->number[j] = -1.0;
+    }
+    for (size_t k = 0; k < p->count; ++k) {
+        p->number[(size_t)p->free[k]] = (double)k;
+    }
     for (size_t i = 0; i < b->rows; ++i) {
-        for (size_t k = 0; k < p->count; ++k) {
-            pattern[i * p->count + k] = lag_initialization_depends(b, (size_t)b->row[i], (size_t)p->free[k]);
+        const lag_entries entries = lag_entries_of(model, (size_t)b->row[i]);
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            const double number = p->number[lag_entry_column(&entries, k)];
+            if (number >= 0.0 && b->pattern[entries.before + k] != 0.0) {
+                lag_parts_join(&parts, i, (size_t)number);
+            }
         }
     }
-    return lag_parts_of(b->rows, p->count, pattern, memory);
+    lag_parts_end(&parts);
+    return parts;
 }
 
 /* The nearest point on the chosen coordinates into b->q. Returns what is left of the rows. */
@@ -176,7 +191,6 @@ static double search(positions *p, double *point, double *memory)
 {
     lag_initialization *b = p->b;
     lag_nearest_configuration nearest;
-    double *pattern = lag_take(&memory, b->rows * p->count);
     double *guesses = lag_take(&memory, LAG_NEAREST_GUESSES * p->count);
     unsigned long long seed = 20011;
     for (size_t k = 0; k < LAG_NEAREST_GUESSES; ++k) {
@@ -186,7 +200,7 @@ static double search(positions *p, double *point, double *memory)
             guesses[k * p->count + i] = (point[j] - b->starts.x[j]) / b->starts.widths[j];
         }
     }
-    p->parts = find_parts(p, pattern, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
+    p->parts = find_parts(p, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
     const lag_equations equations = {b->rows, p->count, at_positions, p};
     lag_nearest_configuration_place(&nearest, b->rows, p->count, memory);
     const double worst = lag_nearest_configuration_search(&nearest, &equations, &p->parts, guesses, LAG_HOLDS);
@@ -204,8 +218,7 @@ static int open_parts(positions *p, double *memory)
     double *open = lag_take(&memory, b->rows + b->motion->model->nq);
     int any = 0;
     choose_movable(p, 0);
-    double *pattern = lag_take(&memory, b->rows * p->count);
-    const lag_parts parts = find_parts(p, pattern, memory);
+    const lag_parts parts = find_parts(p, memory);
     lag_fill(parts.count, 0.0, open);
     lag_initialization_positions(b);
     for (size_t i = 0; i < b->rows; ++i) {
@@ -243,7 +256,7 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
 {
     const size_t n = b->motion->model->nq;
     double *memory = b->memory;
-    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, b->rows), {0}};
+    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, b->rows), {0}};
     double *point = lag_take(&memory, n);
     double worst = 0.0;
     for (size_t j = 0; j < n; ++j) {

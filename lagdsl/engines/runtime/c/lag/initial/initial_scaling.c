@@ -237,7 +237,12 @@ static lag_parts find_parts(lag_initialization *b, const double *q)
     const size_t n = model->nq;
     unsigned long long seed = 20011;
     if (entries != NULL) {
-        return lag_parts_of_entries(model->nc, n, entries->count, entries->row, entries->column, b->memory);
+        lag_parts parts = lag_parts_begin(model->nc, n, b->memory);
+        for (size_t k = 0; k < entries->count; ++k) {
+            lag_parts_join(&parts, entries->row[k], entries->column[k]);
+        }
+        lag_parts_end(&parts);
+        return parts;
     }
     lag_fill(model->nc * n, 0.0, b->pattern);
     memcpy(b->q, q, n * sizeof(double));

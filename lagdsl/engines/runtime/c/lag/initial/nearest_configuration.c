@@ -76,6 +76,19 @@ static void mix(const lag_nearest_configuration *s, const double *chosen, const 
     }
 }
 
+/* `to` becomes `from` in one part. */
+static void take(const lag_nearest_configuration *s, size_t part, const lag_found *from, lag_found *to)
+{
+    size_t first = 0;
+    const size_t columns = lag_parts_columns(s->parts, part, &first);
+    for (size_t k = first; k < first + columns; ++k) {
+        const size_t j = (size_t)s->parts->column[k];
+        to->point[j] = from->point[j];
+    }
+    to->sizes[part] = from->sizes[part];
+    to->distances[part] = from->distances[part];
+}
+
 static void copy(const lag_nearest_configuration *s, const lag_found *from, lag_found *to)
 {
     memcpy(to->point, from->point, s->parts->n * sizeof(double));
@@ -182,9 +195,7 @@ static int collect(lag_nearest_configuration *s, size_t rank, lag_found *to)
     for (size_t part = 0; part < s->parts->count; ++part) {
         const lag_found *from = &s->found[ranked(s, part, rank)];
         const int feasible = from->sizes[part] <= s->holds && isfinite(from->distances[part]);
-        lag_fill(s->parts->count, 0.0, s->chosen);
-        s->chosen[part] = 1.0;
-        mix(s, s->chosen, feasible || rank == 0 ? from : &s->refined[0], to);
+        take(s, part, feasible || rank == 0 ? from : &s->refined[0], to);
         any = any || feasible;
     }
     return any;
@@ -243,12 +254,10 @@ static void choose(lag_nearest_configuration *s, int with_best, lag_found *resul
                 winner = i;
             }
         }
-        lag_fill(s->parts->count, 0.0, s->chosen);
-        s->chosen[part] = 1.0;
         if (with_best && s->best.distances[part] <= limit) {
-            mix(s, s->chosen, &s->best, result);
+            take(s, part, &s->best, result);
         } else if (winner < refined) {
-            mix(s, s->chosen, &s->refined[winner], result);
+            take(s, part, &s->refined[winner], result);
         }
     }
 }

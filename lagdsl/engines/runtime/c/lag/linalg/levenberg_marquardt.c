@@ -27,7 +27,7 @@ static size_t leader_of(double *leader, size_t x)
     return x;
 }
 
-static void join(double *leader, size_t a, size_t b)
+static void join_leaders(double *leader, size_t a, size_t b)
 {
     a = leader_of(leader, a);
     b = leader_of(leader, b);
@@ -58,8 +58,7 @@ void lag_parts_order(lag_parts *parts)
     order(parts->n, parts->column_part, parts->count, parts->column, parts->first_column);
 }
 
-/* Every row and column leads a part of its own. */
-static lag_parts place_parts(size_t m, size_t n, double *memory)
+lag_parts lag_parts_begin(size_t m, size_t n, double *memory)
 {
     lag_parts parts = {.m = m, .n = n};
     parts.row_part = lag_take(&memory, m);
@@ -74,8 +73,12 @@ static lag_parts place_parts(size_t m, size_t n, double *memory)
     return parts;
 }
 
-/* Numbers the parts by their leaders. */
-static void number_parts(lag_parts *parts)
+void lag_parts_join(lag_parts *parts, size_t row, size_t column)
+{
+    join_leaders(parts->first_row, row, parts->m + column);
+}
+
+void lag_parts_end(lag_parts *parts)
 {
     double *leader = parts->first_row;
     double *name = parts->first_column;
@@ -90,28 +93,18 @@ static void number_parts(lag_parts *parts)
 
 lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory)
 {
-    lag_parts parts = place_parts(m, n, memory);
+    lag_parts parts = lag_parts_begin(m, n, memory);
     for (size_t i = 0; pattern == NULL && i < m + n; ++i) {
         parts.first_row[i] = 0.0;
     }
     for (size_t i = 0; pattern != NULL && i < m; ++i) {
         for (size_t j = 0; j < n; ++j) {
             if (pattern[i * n + j] != 0.0) {
-                join(parts.first_row, i, m + j);
+                lag_parts_join(&parts, i, j);
             }
         }
     }
-    number_parts(&parts);
-    return parts;
-}
-
-lag_parts lag_parts_of_entries(size_t m, size_t n, size_t count, const size_t *row, const size_t *column, double *memory)
-{
-    lag_parts parts = place_parts(m, n, memory);
-    for (size_t k = 0; k < count; ++k) {
-        join(parts.first_row, row[k], m + column[k]);
-    }
-    number_parts(&parts);
+    lag_parts_end(&parts);
     return parts;
 }
 

@@ -52,8 +52,10 @@ size_t lag_parts_memory(size_t m, size_t n);
 /* Every column of `pattern` (m, n), 0 where an entry vanishes everywhere, in a part with the rows it shares entries with. Null: one part. */
 lag_parts lag_parts_of(size_t m, size_t n, const double *pattern, double *memory);
 
-/* The same for a list of the entries. */
-lag_parts lag_parts_of_entries(size_t m, size_t n, size_t count, const size_t *row, const size_t *column, double *memory);
+/* The same for entries that are told one by one: at first every row and column is a part of its own. */
+lag_parts lag_parts_begin(size_t m, size_t n, double *memory);
+void lag_parts_join(lag_parts *parts, size_t row, size_t column);
+void lag_parts_end(lag_parts *parts);
 
 /* Fills what follows from the parts of rows and columns and their count. */
 void lag_parts_order(lag_parts *parts);
