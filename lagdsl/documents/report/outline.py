@@ -125,7 +125,7 @@ def _rows(flat: FlatModel) -> list[Block]:
     """Equations of coordinates that repeat, as those of the nodes of a mesh: a typical one and those at the ends."""
     found = assembled_rows(flat)
     likes = rolled([(row.coordinate, row.left) for row in found])
-    if 2 * len(likes) > len(found):
+    if not found or 2 * len(likes) > len(found):
         return []
     cells = tuple(tuple((Code(cell),) for cell in row) for row in likes)
     header = ("coordinate", "force of loads and constraints along it")

@@ -101,3 +101,16 @@ end Swing;
 """
     flat = flatten_file(SourceFile("swing.lag", pendulum), Sink())
     assert flat is not None and assembled_rows(flat) == []
+    assert "Equations of the coordinates" not in str(lagdsl.compile(swinging_chain()).derive())
+
+
+def swinging_chain() -> str:
+    """Seven coordinates, which are too many to be written out."""
+    return """model Chain
+  coordinate Angle q[7];
+  gravity = -g_n*world.y;
+  for i in 1:7 loop
+    mass 1 kg at {sum(sin(q[j]) for j in 1:i)*(1 m), -sum(cos(q[j]) for j in 1:i)*(1 m), 0};
+  end for;
+end Chain;
+"""
