@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 
 from sympy import Symbol
 
-from lagdsl.derivation.textbook.assembled import assembled_rows
 from lagdsl.derivation.textbook.recipe import Recipe
+from lagdsl.derivation.textbook.steps.assembled import assembled_rows
 from lagdsl.derivation.textbook.symbols import symbols
 from lagdsl.documents.report.boxes import (
     Box,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lagdsl
-from lagdsl.derivation.textbook.assembled import AssembledRow, assembled_rows
+from lagdsl.derivation.textbook.steps.assembled import AssembledRow, assembled_rows
 from lagdsl.documents.report.sections.families import rolled
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile

@@ -126,8 +126,7 @@ class _Rows:
                 return [self._terms(each) for each in (x, y, z)]
             case fx.Binary("*", factor, fx.Vector() as inner):
                 return [_product(self._terms(factor), each) for each in self._components(inner)]
-            case _:
-                raise _NotWritten
+        raise _NotWritten
 
     # ---- products and derivatives ------------------------------------------------------------------------------------
 
@@ -142,8 +141,7 @@ class _Rows:
                 return _product(self._terms(left), self._terms(right))
             case fx.Binary("/", left, right):
                 return [_over(each, below) for each in self._terms(left) for below in self._terms(right)]
-            case _:
-                return [_Term(1.0, (_factor(expression),))]
+        return [_Term(1.0, (_factor(expression),))]
 
     def _partial(self, expression: fx.FlatExpression, name: str) -> list[_Term]:
         """The derivative by a coordinate."""
@@ -152,12 +150,11 @@ class _Rows:
                 return []
             case fx.Variable(variable):
                 return self._partial_of_name(variable, name)
-            case _ if name not in self._dependence.of(expression):
-                return []
-            case fx.Derivative():
-                raise _NotWritten
-            case _:
-                return self._chain(expression, lambda each: self._partial(each, name))
+        if name not in self._dependence.of(expression):
+            return []
+        if isinstance(expression, fx.Derivative):
+            raise _NotWritten
+        return self._chain(expression, lambda each: self._partial(each, name))
 
     def _partial_of_name(self, variable: str, name: str) -> list[_Term]:
         item = self._named.get(variable)
@@ -177,10 +174,9 @@ class _Rows:
                 return self._by_rate(item.value, name) if isinstance(item, fm.Definition) else []
             case fx.Derivative(operand):
                 return self._partial(operand, name)
-            case _ if name not in self._dependence.of(expression):
-                return []
-            case _:
-                return self._chain(expression, lambda each: self._by_rate(each, name))
+        if name not in self._dependence.of(expression):
+            return []
+        return self._chain(expression, lambda each: self._by_rate(each, name))
 
     def _chain(self, expression: fx.FlatExpression, of: _Rule) -> list[_Term]:
         match expression:
@@ -201,8 +197,7 @@ class _Rows:
                 return _product(self._terms(fx.Function("cos", (argument,))), of(argument))
             case fx.Function("cos", (argument,)):
                 return _product([_Term(-1.0)], _product(self._terms(fx.Function("sin", (argument,))), of(argument)))
-            case _:
-                raise _NotWritten
+        raise _NotWritten
 
 
 def _product(left: Iterable[_Term], right: list[_Term]) -> list[_Term]:
