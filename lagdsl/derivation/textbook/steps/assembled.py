@@ -121,35 +121,29 @@ class _Rows:
                 self._weights[name] += _product([_Term(-1.0)], _product(_product(mass, pull), share))
 
     def _components(self, vector: fx.FlatExpression) -> list[list[_Term]]:
-        match vector:
-            case fx.Vector(x, y, z):
-                return [self._terms(each) for each in (x, y, z)]
-            case fx.Binary("*", factor, fx.Vector() as inner):
-                return [_product(self._terms(factor), each) for each in self._components(inner)]
+        if isinstance(vector, fx.Vector):
+            return [self._terms(each) for each in (vector.x, vector.y, vector.z)]
+        if isinstance(vector, fx.Binary) and vector.operator == "*" and isinstance(vector.right, fx.Vector):
+            return [_product(self._terms(vector.left), each) for each in self._components(vector.right)]
         raise _NotWritten
 
     # ---- products and derivatives ------------------------------------------------------------------------------------
 
     def _terms(self, expression: fx.FlatExpression) -> list[_Term]:
         """The expression as one product; none for zero."""
-        match expression:
-            case fx.Number(value):
-                return [_Term(value)] if value else []
-            case fx.Unary("-", operand):
-                return _product([_Term(-1.0)], self._terms(operand))
-            case fx.Binary("*", left, right):
-                return _product(self._terms(left), self._terms(right))
-            case fx.Binary("/", left, right):
-                return [_over(each, below) for each in self._terms(left) for below in self._terms(right)]
+        if isinstance(expression, fx.Number):
+            return [_Term(expression.value)] if expression.value else []
+        if isinstance(expression, fx.Unary) and expression.operator == "-":
+            return _product([_Term(-1.0)], self._terms(expression.operand))
+        if isinstance(expression, fx.Binary) and expression.operator in ("*", "/"):
+            left, right = self._terms(expression.left), self._terms(expression.right)
+            return _product(left, right) if expression.operator == "*" else _quotient(left, right)
         return [_Term(1.0, (_factor(expression),))]
 
     def _partial(self, expression: fx.FlatExpression, name: str) -> list[_Term]:
         """The derivative by a coordinate."""
-        match expression:
-            case fx.Number():
-                return []
-            case fx.Variable(variable):
-                return self._partial_of_name(variable, name)
+        if isinstance(expression, fx.Variable):
+            return self._partial_of_name(expression.name, name)
         if name not in self._dependence.of(expression):
             return []
         if isinstance(expression, fx.Derivative):
@@ -166,37 +160,37 @@ class _Rows:
 
     def _by_rate(self, expression: fx.FlatExpression, name: str) -> list[_Term]:
         """The derivative by the rate of a coordinate."""
-        match expression:
-            case fx.Number():
-                return []
-            case fx.Variable(variable):
-                item = self._named.get(variable)
-                return self._by_rate(item.value, name) if isinstance(item, fm.Definition) else []
-            case fx.Derivative(operand):
-                return self._partial(operand, name)
+        if isinstance(expression, fx.Variable):
+            item = self._named.get(expression.name)
+            return self._by_rate(item.value, name) if isinstance(item, fm.Definition) else []
+        if isinstance(expression, fx.Derivative):
+            return self._partial(expression.operand, name)
         if name not in self._dependence.of(expression):
             return []
         return self._chain(expression, lambda each: self._by_rate(each, name))
 
     def _chain(self, expression: fx.FlatExpression, of: _Rule) -> list[_Term]:
-        match expression:
-            case fx.Unary("-", operand):
-                return _product([_Term(-1.0)], of(operand))
-            case fx.Binary("+", left, right):
-                return [*of(left), *of(right)]
-            case fx.Binary("-", left, right):
-                return [*of(left), *_product([_Term(-1.0)], of(right))]
-            case fx.Binary("*", left, right):
-                return [*_product(self._terms(left), of(right)), *_product(self._terms(right), of(left))]
-            case fx.Binary("/", left, right) if not of(right):
-                return [_over(each, below) for each in of(left) for below in self._terms(right)]
-            case fx.Binary("^", base, fx.Number(exponent)):
-                lower = self._terms(base if exponent == 2.0 else fx.Binary("^", base, fx.Number(exponent - 1.0)))
-                return _product(_product([_Term(exponent)], lower), _bracketed(of(base)))
-            case fx.Function("sin", (argument,)):
-                return _product(self._terms(fx.Function("cos", (argument,))), of(argument))
-            case fx.Function("cos", (argument,)):
-                return _product([_Term(-1.0)], _product(self._terms(fx.Function("sin", (argument,))), of(argument)))
+        if isinstance(expression, fx.Unary) and expression.operator == "-":
+            return _product([_Term(-1.0)], of(expression.operand))
+        if isinstance(expression, fx.Binary):
+            return self._chain_of_two(expression, of)
+        if isinstance(expression, fx.Function) and expression.name in ("sin", "cos"):
+            other, sign = ("cos", 1.0) if expression.name == "sin" else ("sin", -1.0)
+            slope = self._terms(fx.Function(other, expression.arguments))
+            return _product([_Term(sign)], _product(slope, of(expression.arguments[0])))
+        raise _NotWritten
+
+    def _chain_of_two(self, expression: fx.Binary, of: _Rule) -> list[_Term]:
+        left, right, operator = expression.left, expression.right, expression.operator
+        if operator in ("+", "-"):
+            return [*of(left), *_product([_Term(1.0 if operator == "+" else -1.0)], of(right))]
+        if operator == "*":
+            return [*_product(self._terms(left), of(right)), *_product(self._terms(right), of(left))]
+        if operator == "/" and not of(right):
+            return _quotient(of(left), self._terms(right))
+        if operator == "^" and isinstance(right, fx.Number):
+            lower = self._terms(left if right.value == 2.0 else fx.Binary("^", left, fx.Number(right.value - 1.0)))
+            return _product(_product([_Term(right.value)], lower), _bracketed(of(left)))
         raise _NotWritten
 
 
@@ -204,6 +198,10 @@ def _product(left: Iterable[_Term], right: list[_Term]) -> list[_Term]:
     return [
         _cancelled(_Term(a.number * b.number, (*a.above, *b.above), (*a.below, *b.below))) for a in left for b in right
     ]
+
+
+def _quotient(left: list[_Term], right: list[_Term]) -> list[_Term]:
+    return [_over(above, below) for above in left for below in right]
 
 
 def _over(above: _Term, below: _Term) -> _Term:
