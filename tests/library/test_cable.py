@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
-from math import asinh, sqrt
+from math import asinh, cosh, hypot, sinh, sqrt
 
 import numpy as np
 import pytest
@@ -38,24 +38,30 @@ end Cantilever;
     assert _told(model) == pytest.approx(-0.5013058140308901, rel=tolerance)
 
 
-def _catenary() -> tuple[float, float]:
+WEIGHT = 1000 * 1e-6 * G_N * 2.0
+
+
+def _catenary(stiffness: float) -> tuple[float, float]:
     """Height of the lowest point and horizontal force: H. M. Irvine, Cable Structures, section 1.3."""
-    length, span, stiffness = 2.0, 1.6, 0.1
-    weight = 1000 * 1e-6 * G_N * length
+    length, span = 2.0, 1.6
 
     def excess(force: float) -> float:
-        return length * force * (1 / stiffness + 2 / weight * asinh(weight / 2 / force)) - span
+        return length * force * (1 / stiffness + 2 / WEIGHT * asinh(WEIGHT / 2 / force)) - span
 
     force = brentq(excess, 1e-6, 1.0, xtol=1e-15)
-    low = -weight * length / (8 * stiffness) - force * length / weight * (sqrt(1 + (weight / 2 / force) ** 2) - 1)
+    low = -WEIGHT * length / (8 * stiffness) - force * length / WEIGHT * (sqrt(1 + (WEIGHT / 2 / force) ** 2) - 1)
     return low, force
 
 
-def test_a_catenary_sags_with_more_than_fourth_order() -> None:
-    """The elastic one: under its weight the cable is a tenth longer."""
-    errors = []
-    for n in (4, 8):
-        model = lagdsl.compile(f"""
+def _pull(stiffness: float, length: float) -> float:
+    """The mean tension from the lowest point up to a length."""
+    force, there = _catenary(stiffness)[1], WEIGHT * length / 2
+    return (hypot(force, there) + force**2 / there * asinh(there / force)) / 2
+
+
+@cache
+def _hung(n: int) -> lagdsl.Model:
+    return lagdsl.compile(f"""
 model Catenary
   import Lag.Planar.*;
   Lag.Flexible.Cable cable(n = {n}, dim = 2, L = 2 m, A = 1 mm^2, E = 0.1 MPa, I = 1e-6 mm^4, density = 1000 kg/m3,
@@ -68,11 +74,36 @@ model Catenary
   output Force pull = cable.tension[{n // 2}];
 end Catenary;
 """)
-        low, pull = _told(model)[:2]
-        errors.append(abs(low / _catenary()[0] - 1))
-    assert pull == pytest.approx(np.hypot(_catenary()[1], 1e-3 * G_N / 8), rel=5e-3)  # 1/8 m from the lowest point
+
+
+def test_a_catenary_sags_with_more_than_fourth_order() -> None:
+    """The elastic one: under its weight the cable is a tenth longer."""
+    errors = []
+    for n in (4, 8):
+        low, pull = _told(_hung(n))[:2]
+        errors.append(abs(low / _catenary(0.1)[0] - 1))
+    assert pull == pytest.approx(_pull(0.1, 0.25), rel=2e-3)
     assert errors[1] < 1e-5
     assert errors[0] / errors[1] > 2**4
+
+
+def test_a_stiff_rope_sags_as_cosh_says() -> None:
+    """Each rope is ten times as stiff as the one before and begins where that hangs; the last does not stretch."""
+    model, start = _hung(8), None
+    for modulus in (1e5, 1e6, 1e7, 1e8, 1e9, 1e10):
+        point = model.trim(parameters={"cable.E": modulus}, start=start).point
+        told = np.asarray(model.output(0.0, point.q, point.qd, parameters={"cable.E": modulus})).ravel()
+        assert told[0] == pytest.approx(_catenary(1e-6 * modulus)[0], rel=1e-3)
+        if modulus <= 1e8:
+            assert told[1] == pytest.approx(_pull(1e-6 * modulus, 0.25), rel=6e-3)
+        start = dict(zip(model.coordinates, point.q.tolist(), strict=True))
+    assert told[0] == pytest.approx(-_inextensible(), rel=1e-3)
+
+
+def _inextensible() -> float:
+    """Sag a (cosh(span/2a) - 1) where a sinh(span/2a) is half of the length."""
+    a = brentq(lambda a: a * sinh(0.8 / a) - 1.0, 0.1, 10.0, xtol=1e-15)
+    return float(a * (cosh(0.8 / a) - 1))
 
 
 @cache

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from sympy import Symbol
 
 from lagdsl.derivation.textbook.recipe import Recipe
+from lagdsl.derivation.textbook.steps.assembled import assembled_rows
 from lagdsl.derivation.textbook.symbols import symbols
 from lagdsl.documents.report.boxes import (
     Box,
@@ -48,6 +49,10 @@ from lagdsl.language.flat.quantity import Item
 from lagdsl.motion.pipeline import Compilation
 
 _MOST = 12
+_ALIKE = (
+    "Each is inertia, then the gradients of potentials and of the weight, then those of dissipations by the rate; "
+    "neighbours share elements:"
+)
 _SHORT_ONES = "the short equations in symbols, "
 
 
@@ -80,6 +85,7 @@ def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | N
     blocks += _parts("Dry friction", flat.events.frictions)
     blocks += event_list(flat)
     blocks += _equations(flat, letter, signs.of(symbols(flat).time))
+    blocks += _rows(flat)
     blocks += [] if short is None else in_symbols(flat, short, signs)
     blocks += at_the_start(familiar, letter, compilation)
     return (*opening, *letters_note(signs), *blocks)
@@ -113,6 +119,17 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
     ]
     more = len(counts) - len(entries)
     return [Heading(title), Bullets((*entries, text(f"… and {more} more.")) if more else tuple(entries))]
+
+
+def _rows(flat: FlatModel) -> list[Block]:
+    """Equations of coordinates that repeat, as those of the nodes of a mesh: a typical one and those at the ends."""
+    found = assembled_rows(flat)
+    likes = rolled([(row.coordinate, row.left) for row in found])
+    if not found or 2 * len(likes) > len(found):
+        return []
+    cells = tuple(tuple((Code(cell),) for cell in row) for row in likes)
+    header = ("coordinate", "force of loads and constraints along it")
+    return [Heading("Equations of the coordinates"), Paragraph(text(_ALIKE)), Table(header, cells)]
 
 
 def _equations(flat: FlatModel, letter: Callable[[str], Box], time: Box) -> list[Block]:

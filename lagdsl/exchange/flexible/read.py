@@ -14,7 +14,7 @@ from lagdsl.exchange.flexible.geometric_stiffness import no_stiffening
 from lagdsl.exchange.flexible.matrices import read_matrices
 from lagdsl.exchange.flexible.refusal import Refused
 from lagdsl.exchange.flexible.sid import read_sid
-from lagdsl.exchange.flexible.sid_body import no_second_order, sid_body
+from lagdsl.exchange.flexible.sid_body import has_negative_energy, no_second_order, sid_body
 from lagdsl.exchange.flexible.solid import solid_body
 from lagdsl.exchange.flexible.text import Provenance, body_model
 from lagdsl.exchange.model_text.identifiers import TAKEN, model_name
@@ -69,6 +69,8 @@ def _body(path: Path, reading: Reading, sink: Sink) -> tuple[Body, tuple[InputFi
         sid = read_sid(file.source)
         names = _interfaces(reading, path, [str(node) for node in sid.nodes])
         body = sid_body(sid, names, metre)
+        if has_negative_energy(body):
+            sink.report("W1221", None, name=path.name)
         _tell(no_second_order(sid), sink)
         return body, (file,)
     deck = read_deck(file.source)

@@ -24,6 +24,8 @@ _ENTRY = re.compile(r"(m[01n])\s*\(([\s\d,]{3,40})\)")
 _SHAPES: dict[str, tuple[int, int]] = {"mdCM": (3, 1), "J": (3, 3), "Ct": (-1, 3), "Cr": (-1, 3), "Me": (-1, -1)}
 _SHAPES |= {"Ke": (-1, -1), "De": (-1, -1), "Oe": (-1, 6)}
 _NODE_SHAPES = {"origin": (3, 1), "phi": (3, -1), "psi": (3, -1), "AP": (3, 3)}
+_INERTIA = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+"""Elements of J where it is a column."""
 _UNREAD = frozenset({"Gr", "Ge", "ksigma", "sigma"})
 """Matrices that follow from others, and stresses, which no motion depends on."""
 
@@ -94,7 +96,7 @@ def read_sid(file: SourceFile) -> Sid:
         file=file,
         mass=mass,
         modes=modes,
-        matrices={name: _taylor(name, draft, _SHAPES[name], modes) for name, draft in drafts.items()},
+        matrices={name: _matrix(name, draft, modes) for name, draft in drafts.items()},
         nodes={
             number: {name: _taylor(name, draft, _NODE_SHAPES[name], modes) for name, draft in own.items()}
             for number, own in nodes.items()
@@ -103,12 +105,13 @@ def read_sid(file: SourceFile) -> Sid:
 
 
 def _lines(file: SourceFile) -> Iterator[_Line]:
-    """Lines with the blocks around them; the opening line of a block has no key. The first line has two numbers."""
+    """Lines with the blocks around them; the opening line of a block has no key. The first line has the numbers of
+    nodes and modes, and a comment."""
     path: list[str] = []
     closed = False
     for number, text in enumerate(file.text.split("\n"), 1):
         line = " ".join(text.split())
-        if not line or (not path and re.fullmatch(r"\d{1,12} \d{1,12}", line)):
+        if not line or (not path and re.match(r"\d{1,12} \d{1,12}( ?:|$)", line)):
             continue
         span = line_span(file, number)
         if closed:
@@ -119,7 +122,7 @@ def _lines(file: SourceFile) -> Iterator[_Line]:
                 raise Refused("E1201", span, what="the line", text=line[:40], expected=expected)
             path.pop()
             closed = not path
-        elif line.startswith("new node") or "=" not in line:
+        elif line.startswith(("new node", "new modal")) or "=" not in line:
             path.append(_opened(line, path, span))
             yield _Line(span=span, path=tuple(path), key="", value="")
         else:
@@ -134,12 +137,12 @@ def _named(path: list[str]) -> str:
 
 
 def _opened(line: str, path: list[str], span: Span) -> str:
-    """The name of a block: `part`, `new modal`, `new node = 3`, `origin`."""
+    """The name of a block: `part`, `new modal = title`, `new node = 3`, `origin`."""
     if len(path) == 3 and path[2] == "frame":
         found = re.fullmatch(r"new node ?= ?(\d{1,12})", line)
         if found is not None:
             return str(int(found[1]))
-    elif line == "new modal" and path == ["part"]:
+    elif re.match(r"new modal( ?=|$)", line) and path == ["part"]:
         return "modal"
     elif (line == "part" and not path) or (re.fullmatch(r"[A-Za-z]{1,20}", line) and 2 <= len(path) <= 4):
         return line
@@ -188,6 +191,20 @@ def _integer(line: _Line, most: int) -> int:
     if int(text) > most:
         raise Refused("E1204", line.span, what=f"`{line.key}`", limit=most, unit="at most")
     return int(text)
+
+
+def _matrix(name: str, draft: _Draft, modes: int) -> Taylor:
+    """Of the body; its inertia is a 3 x 3 matrix, or a column, as programs write it."""
+    if name != "J" or draft.header.get("ncol") != 1:
+        return _taylor(name, draft, _SHAPES[name], modes)
+    column = _taylor(name, draft, (len(_INERTIA), 1), modes)
+    m0 = np.zeros((3, 3))
+    m1 = None if column.m1 is None else np.zeros((3, modes, 3))
+    for row, (i, j) in enumerate(_INERTIA):
+        m0[i, j] = m0[j, i] = column.m0[row, 0]
+        if m1 is not None and column.m1 is not None:
+            m1[i, :, j] = m1[j, :, i] = column.m1[row, :, 0]
+    return Taylor(m0=m0, m1=m1)
 
 
 def _taylor(name: str, draft: _Draft, shape: tuple[int, int], modes: int) -> Taylor:

@@ -23,7 +23,7 @@ from lagdsl.exchange.flexible.wire import MOST_SEGMENTS, skeleton
 _SQUARES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
 """Products of angular velocities in the columns of Oe."""
 _CONTRADICTION = 0.01
-"""Of the largest element: J and Oe come from the same masses, and differ by rounding."""
+"""Of the largest element: all integrals come from the same masses, and differ by rounding."""
 
 
 def sid_body(sid: Sid, names: Sequence[str], metre: float) -> Body:
@@ -61,6 +61,16 @@ def no_second_order(sid: Sid) -> str | None:
         if name not in sid.matrices or sid.matrices[name].m1 is None:
             return f"{name} has no derivatives by the modes"
     return None
+
+
+def has_negative_energy(body: Body) -> bool:
+    """True if the body has a negative kinetic energy in a motion, about its mass center, which moves with it: integrals
+    that contradict each other, as some programs write them, do not come from one mass."""
+    whole = np.block([[body.inertia, body.H], [body.H.T, body.M - body.S.T @ body.S / body.mass]])
+    largest = np.concatenate([np.full(3, np.abs(body.inertia).max()), np.diag(body.M)])
+    sizes = np.sqrt(np.where(largest > 0.0, largest, 1.0))
+    scaled = whole / np.outer(sizes, sizes)
+    return bool(np.isfinite(scaled).all() and np.linalg.eigvalsh(scaled)[0] < -_CONTRADICTION)
 
 
 def _needed(sid: Sid, matrices: dict[str, Taylor], name: str, owner: str) -> Taylor:

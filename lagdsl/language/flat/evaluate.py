@@ -6,9 +6,7 @@ Review 40 (1998) 110): der(e) = Im e(q + i h qd, t + i h) / h with h = 1e-30.
 
 from __future__ import annotations
 
-import cmath
-import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property, partial
 from typing import TypeAlias, assert_never
@@ -16,18 +14,17 @@ from typing import TypeAlias, assert_never
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.foundation.numerics.complex_step import Complexes, Number, applied, chosen, compared, divided, power, truth
 from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.events import Discrete, Relation, Timed, entries
-from lagdsl.language.flat.rotation import quaternion_rotation, rotation, rotation_about
+from lagdsl.language.flat.rotation import composed, quaternion_rotation, rotation, rotation_about, turned
 from lagdsl.language.flat.traversal import postorder
 
-Complexes: TypeAlias = NDArray[np.complex128]
-_Value: TypeAlias = "complex | Complexes"
+Floats: TypeAlias = NDArray[np.float64]
 
 _STEP = 1e-30
-_NAN = complex(math.nan)
 
 
 class NotEvaluable(Exception):  # noqa: N818 named after what it says
@@ -61,28 +58,71 @@ class Evaluator:
     @cached_property
     def _instant(self) -> _Instant:
         """Made for the first expression: often there is none."""
-        flat, values = self._flat, self._values
-        named, variables = _of(flat)
-        variables = {**variables, **values.variables}
-        rates: dict[str, complex] = {c.name: 0j for c in flat.coordinates}
-        rates.update({"time": 1.0, **values.rates})
-        accelerations = {c.name: complex(values.accelerations.get(c.name, 0.0)) for c in flat.coordinates}
-        return _Instant(flat, named, variables, rates, accelerations)
+        values = self._values
+        return _instant(self._flat, values.variables, values.rates, values.accelerations)
 
     def scalar(self, expression: fx.FlatExpression) -> float:
         with np.errstate(all="ignore"):
-            return self._instant.scalar(expression).real
+            return float(self._instant.scalar(expression).real)
 
-    def vector(self, expression: fx.FlatExpression) -> NDArray[np.float64]:
+    def vector(self, expression: fx.FlatExpression) -> Floats:
         """World components, shape (3,)."""
         with np.errstate(all="ignore"):
             return np.asarray(self._instant.vector(expression).real)
 
-    def frame(self, name: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def frame(self, name: str) -> tuple[Floats, Floats]:
         """Origin (3,) and axes as columns (3, 3) of a frame, in the world."""
         with np.errstate(all="ignore"):
             origin, axes = self._instant.frame(name)
         return np.asarray(origin.real), np.asarray(axes.real)
+
+
+class ManyEvaluator:
+    """Evaluates many expressions at k moments at once, which takes little more time than one. All have values of the
+    same names."""
+
+    def __init__(self, flat: fm.FlatModel, moments: Sequence[Values]) -> None:
+        self._count = len(moments)
+        variables = _together([each.variables for each in moments])
+        rates = _together([each.rates for each in moments])
+        self._instant = _instant(flat, variables, rates, _together([each.accelerations for each in moments]))
+
+    def scalar(self, expression: fx.FlatExpression) -> Floats:
+        """Shape (k,)."""
+        with np.errstate(all="ignore"):
+            return self._spread(self._instant.scalar(expression))
+
+    def vector(self, expression: fx.FlatExpression) -> Floats:
+        """World components, shape (3, k)."""
+        with np.errstate(all="ignore"):
+            return self._spread(self._instant.vector(expression))
+
+    def frame(self, name: str) -> tuple[Floats, Floats]:
+        """Origin (3, k) and axes as columns (3, 3, k) of a frame, in the world."""
+        with np.errstate(all="ignore"):
+            origin, axes = self._instant.frame(name)
+        return self._spread(origin), self._spread(axes)
+
+    def _spread(self, value: Number) -> Floats:
+        found = np.asarray(value).real
+        return np.broadcast_to(found, (*found.shape[:-1], self._count))
+
+
+def _together(moments: Sequence[Mapping[str, float]]) -> dict[str, Complexes]:
+    return {name: np.array([each[name] for each in moments], np.complex128) for name in moments[0]}
+
+
+def _instant(
+    flat: fm.FlatModel,
+    given: Mapping[str, Number],
+    given_rates: Mapping[str, Number],
+    given_accelerations: Mapping[str, Number],
+) -> _Instant:
+    named, known = _of(flat)
+    rates: dict[str, Number] = {c.name: 0j for c in flat.coordinates}
+    rates.update({"time": 1 + 0j, **given_rates})
+    accelerations = {c.name: given_accelerations.get(c.name, 0j) for c in flat.coordinates}
+    return _Instant(flat, named, {**known, **given}, rates, accelerations)
 
 
 @remembered
@@ -94,39 +134,43 @@ def _of(flat: fm.FlatModel) -> tuple[dict[str, fm.Named], dict[str, complex]]:
 
 
 class _Instant:
+    """One moment, or k at once where the variables are arrays (k,). Vectors are then arrays (3, k), also with k = 1
+    where all moments have the same."""
+
     def __init__(
         self,
         flat: fm.FlatModel,
         named: dict[str, fm.Named],
-        variables: dict[str, complex],
-        rates: dict[str, complex],
-        accelerations: dict[str, complex] | None,
+        variables: dict[str, Number],
+        rates: dict[str, Number],
+        accelerations: dict[str, Number] | None,
     ) -> None:
         self.flat = flat
         self.named = named
         self.variables = variables
         self.rates = rates
         self.accelerations = accelerations
-        self._nodes: dict[int, tuple[fx.FlatExpression, _Value]] = {}
-        self._frames: dict[str, tuple[Complexes, Complexes]] = {
-            "world": (np.zeros(3, np.complex128), np.eye(3, dtype=np.complex128))
-        }
+        self._nodes: dict[int, tuple[fx.FlatExpression, Number]] = {}
+        self._many = any(isinstance(value, np.ndarray) for value in variables.values())
+        last = (1,) if self._many else ()
+        origin, axes = np.zeros((3, *last), np.complex128), np.eye(3, dtype=np.complex128).reshape(3, 3, *last)
+        self._frames: dict[str, tuple[Complexes, Complexes]] = {"world": (origin, axes)}
         self._later: _Instant | None = None
-        self._waiting: dict[str, Callable[[], complex]] = {}
+        self._waiting: dict[str, Callable[[], Number]] = {}
 
     # ---- expressions -------------------------------------------------------------------------------------------------
 
-    def scalar(self, expression: fx.FlatExpression) -> complex:
+    def scalar(self, expression: fx.FlatExpression) -> Number:
         value = self._value(expression)
-        assert isinstance(value, complex | float | int), "a scalar is expected"
-        return complex(value)
+        assert not isinstance(value, np.ndarray) or (self._many and value.ndim == 1), "a scalar is expected"
+        return value
 
     def vector(self, expression: fx.FlatExpression) -> Complexes:
         value = self._value(expression)
         assert isinstance(value, np.ndarray), "a vector is expected"
         return value
 
-    def _value(self, expression: fx.FlatExpression) -> _Value:
+    def _value(self, expression: fx.FlatExpression) -> Number:
         known = self._nodes
         if id(expression) not in known:
             for node in postorder(expression, known):
@@ -134,7 +178,7 @@ class _Instant:
                 known[id(node)] = (node, self._compute(node))
         return known[id(expression)][1]
 
-    def _compute(self, expression: fx.FlatExpression) -> _Value:  # noqa: C901, PLR0912 one case per node
+    def _compute(self, expression: fx.FlatExpression) -> Number:  # noqa: C901, PLR0912 one case per node
         match expression:
             case fx.Number(value):
                 return complex(value)
@@ -144,24 +188,24 @@ class _Instant:
                 return self._derivative(operand)
             case fx.Unary(operator, operand):
                 inner = self._value(operand)
-                return -inner if operator == "-" else _truth(not _holds(inner))
+                return -inner if operator == "-" else compared("==", inner, 0j)
             case fx.Binary():
                 return self._binary(expression)
             case fx.Function(name, arguments):
-                return _apply(name, [self.scalar(argument) for argument in arguments])
+                return applied(name, [self.scalar(argument) for argument in arguments])
             case fx.Conditional(condition, then, otherwise):
-                return self._value(then if _holds(self._value(condition)) else otherwise)
+                return chosen(self.scalar(condition), self._value(then), self._value(otherwise))
             case fx.Component(vector, axis):
-                return complex(self.vector(vector)[axis])
+                return self._single(self.vector(vector)[axis])
             case fx.Dot(left, right):
-                return complex(self.vector(left) @ self.vector(right))
+                return self._dot(self.vector(left), self.vector(right))
             case fx.Norm(vector):
                 components = self.vector(vector)
-                return cmath.sqrt(complex(components @ components))
+                return applied("sqrt", [self._dot(components, components)])
             case fx.Vector(x, y, z):
-                return np.array([self.scalar(x), self.scalar(y), self.scalar(z)])
+                return self._scalars((x, y, z))
             case fx.Cross(left, right):
-                return np.cross(self.vector(left), self.vector(right))
+                return np.cross(self.vector(left), self.vector(right), axis=0)
             case fx.PointReference(name):
                 point = self.named[name]
                 assert isinstance(point, fm.Point)
@@ -175,23 +219,31 @@ class _Instant:
             case fx.MaterialVelocity(point_expression, frame):
                 arm = self.vector(point_expression) - self.frame(frame)[0]
                 origin_velocity = self._rate(lambda moment: moment.frame(frame)[0])
-                return origin_velocity + np.cross(self._angular_velocity(frame), arm)
+                return origin_velocity + np.cross(self._angular_velocity(frame), arm, axis=0)
             case fx.Previous() | fx.Mechanical() | fx.OfMechanism():
                 raise NotEvaluable(type(expression).__name__)
             case _:
                 assert_never(expression)
 
-    def _variable(self, name: str) -> complex:
+    def _single(self, value: Number) -> Number:
+        """A number of NumPy as one of Python, which is faster; an array as it is."""
+        return value if self._many else complex(value)
+
+    def _dot(self, left: Complexes, right: Complexes) -> Number:
+        return (left * right).sum(axis=0) if self._many else complex(left @ right)
+
+    def _variable(self, name: str) -> Number:
         item = self.named.get(name)
         if isinstance(item, fm.Definition):
             return self.scalar(item.value)
         if name in self._waiting:
             self.variables[name] = self._waiting.pop(name)()
         if name in self.variables:
-            return complex(self.variables[name])
+            value = self.variables[name]
+            return value if isinstance(value, np.ndarray) else complex(value)
         return self._discrete(name)
 
-    def _discrete(self, name: str) -> complex:
+    def _discrete(self, name: str) -> Number:
         """Relations as they stand, variables at their starts, contacts open, slips free and without a sense, no clock
         ticking."""
         for entry in entries(self.flat.events):
@@ -199,13 +251,13 @@ class _Instant:
                 item = entry.item
                 if isinstance(item, Relation):
                     value = self.scalar(item.difference).real
-                    return _truth(value > 0.0 or (value == 0.0 and not item.strict))
+                    return truth(value > 0.0 if item.strict else value >= 0.0)
                 if isinstance(item, Timed):
                     return self.scalar(item.value)
                 return self.scalar(item.start) if isinstance(item, Discrete) else 0j
         raise NotEvaluable(name)
 
-    def _binary(self, expression: fx.Binary) -> _Value:
+    def _binary(self, expression: fx.Binary) -> Number:
         left, right = self._value(expression.left), self._value(expression.right)
         operator = expression.operator
         match operator:
@@ -216,10 +268,11 @@ class _Instant:
             case "*":
                 return left * right
             case "/":
-                return left / right if right != 0 else left * _NAN
-            case "^" | "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
-                assert isinstance(left, complex) and isinstance(right, complex)
-                return _power(left, right) if operator == "^" else _truth(_RELATIONS[operator](left.real, right.real))
+                return divided(left, right)
+            case "^":
+                return power(left, right)
+            case "<" | "<=" | ">" | ">=" | "==" | "<>" | "and" | "or":
+                return compared(operator, left, right)
             case _:
                 assert_never(operator)
 
@@ -239,40 +292,46 @@ class _Instant:
     def _step(self, step: fm.FrameStep, origin: Complexes, axes: Complexes) -> tuple[Complexes, Complexes]:
         match step:
             case fm.Rotate(axis, angle):
-                return origin, axes @ rotation(axis, self.scalar(angle))
+                return origin, composed(axes, rotation(axis, self._angle(angle)))
             case fm.RotateAbout(axis, angle):
-                return origin, axes @ rotation_about(self._scalars(axis), self.scalar(angle))
+                return origin, composed(axes, rotation_about(self._scalars(axis), self._angle(angle)))
             case fm.RotateQuaternion(e):
-                return origin, axes @ quaternion_rotation(self._scalars(e))
+                return origin, composed(axes, quaternion_rotation(self._scalars(e)))
             case fm.SetAxes(x, y, z):
-                return origin, np.stack([self.vector(x), self.vector(y), self.vector(z)], axis=1)
+                columns = np.broadcast_arrays(self.vector(x), self.vector(y), self.vector(z))
+                return origin, np.stack(columns, axis=1)
             case fm.Move(offset):
-                return origin + axes @ self._scalars(offset), axes
+                return origin + turned(axes, self._scalars(offset)), axes
             case fm.Place(position):
                 return self.vector(position), axes
 
+    def _angle(self, expression: fx.FlatExpression) -> Number:
+        value = self.scalar(expression)
+        return np.atleast_1d(value) if self._many else value
+
     def _scalars(self, expressions: tuple[fx.FlatExpression, ...]) -> Complexes:
-        return np.array([self.scalar(expression) for expression in expressions])
+        found = [self.scalar(expression) for expression in expressions]
+        return np.stack(np.broadcast_arrays(*map(np.atleast_1d, found))) if self._many else np.array(found)
 
     # ---- time derivatives --------------------------------------------------------------------------------------------
 
-    def _derivative(self, operand: fx.FlatExpression) -> _Value:
+    def _derivative(self, operand: fx.FlatExpression) -> Number:
         if isinstance(operand, fx.Variable) and operand.name in self.rates:
-            return complex(self.rates[operand.name])
+            return self.rates[operand.name]
         if isinstance(operand, fx.Derivative) and isinstance(operand.operand, fx.Variable):
             name = operand.operand.name
             if self.accelerations is not None and name in self.accelerations:
                 return self.accelerations[name]
         return self._rate(lambda moment: moment._value(operand))
 
-    def _rate(self, quantity: Callable[[_Instant], _Value]) -> _Value:
+    def _rate(self, quantity: Callable[[_Instant], Number]) -> Number:
         later = quantity(self._shifted())
-        return complex(later.imag / _STEP) if isinstance(later, complex) else np.asarray(later.imag / _STEP + 0j)
+        return np.asarray(later.imag / _STEP + 0j) if isinstance(later, np.ndarray) else complex(later.imag / _STEP)
 
     def _angular_velocity(self, frame: str) -> Complexes:
         """omega from the skew matrix Rdot R'."""
         axes = self.frame(frame)[1]
-        turning = np.asarray(self._rate(lambda moment: moment.frame(frame)[1])) @ axes.T
+        turning = composed(np.asarray(self._rate(lambda moment: moment.frame(frame)[1])), axes.swapaxes(0, 1))
         x, y, z = turning[2, 1] - turning[1, 2], turning[0, 2] - turning[2, 0], turning[1, 0] - turning[0, 1]
         return np.array([x, y, z], dtype=np.complex128) / 2
 
@@ -290,83 +349,6 @@ class _Instant:
             self._later._waiting = {state.name: partial(self._state_later, state) for state in moving}
         return self._later
 
-    def _state_later(self, state: fm.State) -> complex:
+    def _state_later(self, state: fm.State) -> Number:
         """Asked for where it is read only: equations of states may read rates of other quantities."""
         return self.variables[state.name] + 1j * _STEP * self.scalar(state.derivative)
-
-
-# ---- functions of complex numbers next to the real line --------------------------------------------------------------
-
-_RELATIONS: dict[str, Callable[[float, float], bool]] = {
-    "<": lambda a, b: a < b,
-    "<=": lambda a, b: a <= b,
-    ">": lambda a, b: a > b,
-    ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b,
-    "<>": lambda a, b: a != b,
-    "and": lambda a, b: bool(a) and bool(b),
-    "or": lambda a, b: bool(a) or bool(b),
-}
-
-
-def _truth(value: bool) -> complex:
-    return 1 + 0j if value else 0j
-
-
-def _holds(value: _Value) -> bool:
-    assert isinstance(value, complex)
-    return value.real != 0.0
-
-
-def _power(base: complex, exponent: complex) -> complex:
-    try:
-        if exponent.imag == 0.0 and exponent.real == int(exponent.real) and abs(exponent.real) <= 1024:
-            return base ** int(exponent.real)
-        return base**exponent if base.real >= 0.0 else _NAN
-    except (ArithmeticError, ValueError):
-        return _NAN
-
-
-def _apply(name: str, arguments: list[complex]) -> complex:
-    try:
-        return complex(_FUNCTIONS[name](*arguments))
-    except (ArithmeticError, ValueError):
-        return _NAN
-
-
-def _atan2(y: complex, x: complex) -> complex:
-    squared = x.real**2 + y.real**2
-    return complex(math.atan2(y.real, x.real), (x.real * y.imag - y.real * x.imag) / squared if squared else 0.0)
-
-
-def _on(low: float, high: float, function: Callable[[complex], complex]) -> Callable[[complex], complex]:
-    """The function where its real domain is, nan elsewhere: cmath would continue it into the complex plane."""
-    return lambda x: function(x) if low <= x.real <= high else _NAN
-
-
-def _mod(x: complex, y: complex) -> complex:
-    return x - y * math.floor(x.real / y.real)
-
-
-_FUNCTIONS: dict[str, Callable[..., complex]] = {
-    "sin": cmath.sin,
-    "cos": cmath.cos,
-    "tan": cmath.tan,
-    "asin": _on(-1.0, 1.0, cmath.asin),
-    "acos": _on(-1.0, 1.0, cmath.acos),
-    "atan": cmath.atan,
-    "atan2": _atan2,
-    "sinh": cmath.sinh,
-    "cosh": cmath.cosh,
-    "tanh": cmath.tanh,
-    "exp": cmath.exp,
-    "log": _on(0.0, math.inf, cmath.log),
-    "sqrt": _on(0.0, math.inf, cmath.sqrt),
-    "abs": lambda x: -x if x.real < 0.0 else x,
-    "sign": lambda x: complex((x.real > 0.0) - (x.real < 0.0)),
-    "floor": lambda x: complex(math.floor(x.real)),
-    "ceil": lambda x: complex(math.ceil(x.real)),
-    "mod": _mod,
-    "min": lambda x, y: x if x.real <= y.real else y,
-    "max": lambda x, y: x if x.real >= y.real else y,
-}

@@ -10,6 +10,8 @@ import pytest
 
 import lagdsl
 from flexible.point_masses import MASSES, direct_model, sid_text
+from lagdsl.exchange.flexible.read import Reading, body_text
+from lagdsl.foundation.diagnostics import Sink
 
 RUN = """model Run
   import Frame;
@@ -49,6 +51,36 @@ def test_a_file_in_other_units_is_the_same_body(tmp_path: Path) -> None:
     metres = lagdsl.import_body(tmp_path / "frame.SID_FEM", ["1", "4"], length_unit="m")
     millimetres = lagdsl.import_body(tmp_path / "frame.SID_FEM", ["1", "4"], length_unit="mm")
     assert f"m = {MASSES.sum():g}," in metres and f"m = {1000 * MASSES.sum():g}," in millimetres
+
+
+def test_a_file_may_be_written_as_programs_do(tmp_path: Path) -> None:
+    """As in the examples of PyMbs, github.com/sevoigt/pymbs, which FEMBS wrote: a comment in the first line, a title of
+    the part, and the inertia as a column."""
+    text = sid_text()
+    plain = imported(tmp_path, text)
+    head, matrix = text.split("\nJ\n")
+    matrix, tail = matrix.split("end J\n")
+    element = re.compile(r" m([01])\( (\d), (?:(\d), )?(\d)\) = (\S+)")
+    rows = {("1", "1"): 1, ("2", "2"): 2, ("3", "3"): 3, ("1", "2"): 4, ("1", "3"): 5, ("2", "3"): 6}
+    found = [each for each in element.findall(matrix) if (each[1], each[3]) in rows]
+    lines = [" order = 1", " nrow = 6", " ncol = 1", " nq = 2", " nqn = 0", " structure = 3"]
+    lines += [f" m{m}( {rows[i, j]}, {f'{k}, ' if k else ''}1) = {value}" for m, i, k, j, value in found]
+    column = head.replace("new modal", "new modal = frame of masses").replace("5 2", "5 2 :No. nodes, No. modes:FEMBS")
+    other = imported(tmp_path, "\n".join([column, "J", *lines, "end J", tail]))
+    q, qd = np.linspace(-0.4, 0.5, 8), np.linspace(1, -1, 8)
+    assert len(found) == 18 and np.array_equal(other.forward_dynamics(0, q, qd), plain.forward_dynamics(0, q, qd))
+
+
+def test_a_negative_kinetic_energy_is_told(tmp_path: Path) -> None:
+    """W1221: some published files have it, as an inertia that was typed in; what stands still does not need it."""
+    path, text = tmp_path / "frame.SID_FEM", sid_text()
+    head, tail = text.split("\nJ\n")
+    path.write_text(head + "\nJ\n" + re.sub(r"m0\( 1, 2\) = \S+", "m0( 1, 2) = 9", tail, count=1))
+    for name, code in ((path, ["W1221", "N1218"]), (tmp_path / "sound.SID_FEM", ["N1218"])):
+        (tmp_path / "sound.SID_FEM").write_text(text)
+        sink = Sink()
+        assert body_text(name, Reading(interfaces=("1", "4"), length_unit="m"), sink) is not None
+        assert [each.code for each in sink.diagnostics] == code
 
 
 @pytest.mark.parametrize(

@@ -29,15 +29,23 @@ from hypothesis import strategies as st
 
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values, evaluate
+from lagdsl.language.flat.evaluate import Evaluator, ManyEvaluator, NotEvaluable, Values, evaluate
 
 Q = var("q")
 EMPTY = model(coordinates=(coordinate("q"), coordinate("r")), parameters=(parameter("l", 2.0),))
 
 
 def at(expression, q=0.7, qd=1.3, qdd=0.4, flat=EMPTY, **variables):
+    """The value at one moment, which is also that of the first of two moments."""
     values = Values(variables={"q": q, **variables}, rates={"q": qd}, accelerations={"q": qdd})
-    return evaluate(flat, expression, values)
+    other = Values(variables={"q": -q, **variables}, rates={"q": 2.0}, accelerations={"q": 0.0})
+    found = evaluate(flat, expression, values)
+    first = ManyEvaluator(flat, [values, other]).scalar(expression)[0]
+    if math.isfinite(found):
+        assert first == pytest.approx(found, rel=1e-12, abs=1e-15)
+    else:
+        assert not math.isfinite(first)
+    return found
 
 
 @together(
@@ -195,6 +203,20 @@ def test_velocities_of_points_and_frames():
     halved = op("/", fx.Unary("-", fx.PointReference("P")), num(2))
     np.testing.assert_allclose(evaluator.vector(halved), [-math.sin(q), math.cos(q), 0], atol=1e-14)
     assert np.isnan(evaluator.vector(op("/", fx.PointReference("P"), num(0)))).all()
+    moments = [Values(variables={"q": each}, rates={"q": qd}) for each in (q, 2 * q, 3 * q)]
+    many = ManyEvaluator(flat, moments)
+    vectors = [der(fx.PointReference("P")), *map(fx.AngularVelocity, "ABCD"), fx.FrameAxis("world", 1), turned, halved]
+    for vector in [*vectors, fx.MaterialVelocity(vec(num(1), num(1)), "C"), vec(num(1), Q), op("/", turned, Q)]:
+        expected = [Evaluator(flat, each).vector(vector) for each in moments]
+        np.testing.assert_allclose(many.vector(vector).T, expected, atol=1e-13)
+    for scalar in (speed, fx.Component(turned, 0), fx.Dot(fx.FrameAxis("world", 0), fx.PointReference("P")), num(2)):
+        assert many.scalar(scalar) == pytest.approx([Evaluator(flat, each).scalar(scalar) for each in moments])
+    for name in ("world", "A", "B", "C", "D"):
+        origin, axes = many.frame(name)
+        for k, each in enumerate(moments):
+            expected_origin, expected_axes = Evaluator(flat, each).frame(name)
+            np.testing.assert_allclose(origin[:, k], expected_origin, atol=1e-14)
+            np.testing.assert_allclose(axes[:, :, k], expected_axes, atol=1e-14)
 
 
 @pytest.mark.parametrize("expression", [fx.SystemEnergy("total"), var("nobody"), der(square(der(square(Q))))])

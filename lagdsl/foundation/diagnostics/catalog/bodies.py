@@ -1,6 +1,6 @@
 """Family 12: flexible bodies that are imported."""
 
-from lagdsl.foundation.diagnostics.catalog.row import Row, error, note
+from lagdsl.foundation.diagnostics.catalog.row import Row, error, note, warning
 
 _CORRECT = "correct the file"
 _FREE = "write the matrices of the free body: without boundary conditions, ties and equations"
@@ -67,5 +67,9 @@ ROWS: dict[str, Row] = {
     "E1220": error(
         "the numbers of `{name}` are too large or too small to compute with",
         help="check the units of the file, and `--length-unit`",
+    ),
+    "W1221": warning(
+        "mass, mdCM, J, Ct, Cr and Me of `{name}` contradict each other: a motion has a negative kinetic energy",
+        help="write the file anew; as it is, the body is right where frame_a stands still",
     ),
 }

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from math import prod
+from collections.abc import Sequence
+from math import isfinite, prod
 
-from lagdsl.foundation.numerics.gauss import quadrature
+from lagdsl.foundation.numerics.gauss import legendre as legendre_values
+from lagdsl.foundation.numerics.gauss import quadrature, quadrature_to
 from lagdsl.foundation.units.dimension import DIMENSIONLESS
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.semantics.operators.application import Application, same, scalars
 from lagdsl.language.semantics.operators.arithmetic import Operand
 from lagdsl.language.semantics.operators.arrays import elements_of, reduced, spaced
-from lagdsl.language.semantics.scope.constants import structural_integer
-from lagdsl.language.semantics.scope.limits import array_fits
-from lagdsl.language.semantics.scope.naming import kind_of
+from lagdsl.language.semantics.scope.constants import structural_integer, structural_number
+from lagdsl.language.semantics.scope.limits import array_fits, turns_fit
+from lagdsl.language.semantics.scope.naming import kind_of, quantity
 from lagdsl.language.semantics.scope.scope import InstanceArray
 from lagdsl.language.semantics.scope.values import (
     POISON,
@@ -27,7 +29,7 @@ from lagdsl.language.semantics.scope.values import (
     highest,
     latest,
 )
-from lagdsl.language.semantics.types.dimensions import joined
+from lagdsl.language.semantics.types.dimensions import fits, joined
 
 
 def reduction(call: Application) -> Value:
@@ -138,13 +140,54 @@ def size(call: Application) -> Value:
 
 
 def gauss(call: Application) -> Value:
-    """`gauss_points(n)` in (0, 1) and `gauss_weights(n)`, which have the sum 1."""
-    sizes = _sizes(call, call.arguments)
-    if sizes is None:
+    """`gauss_points(n)` in (0, 1) and `gauss_weights(n)`, which have the sum 1. `gauss_weights(n, x, k)` are for the
+    integral of `t^k*f(t)` from 0 to `x`; without `k` it is 0."""
+    sizes = _sizes(call, call.arguments[:1])
+    upper = [_number(call, "the end", item) for item in call.arguments[1:2]]
+    powers = [_power(call, item) for item in call.arguments[2:]]
+    if sizes is None or None in upper or None in powers:
         return POISON
-    points, weights = quadrature(sizes[0])
-    parts = tuple(flat.Number(value) for value in (points if call.name == "gauss_points" else weights))
-    return Array(parts, (sizes[0],), DIMENSIONLESS)
+    count, power = sizes[0], sum(power for power in powers if power is not None)
+    if not turns_fit(call.ctx, call.node.span, (count + power) ** 2):  # of the recurrences
+        return POISON
+    if call.name == "gauss_points":
+        return _numbers(call, quadrature(count)[0])
+    ends = [x for x in upper if x is not None]
+    return _numbers(call, quadrature_to(ends[0], count, power) if ends else quadrature(count)[1])
+
+
+def legendre(call: Application) -> Value:
+    """`legendre(x, n)`: values at `x` of the `n` first polynomials of Legendre, orthogonal on (0, 1)."""
+    x, sizes = _number(call, "the place", call.arguments[0]), _sizes(call, call.arguments[1:])
+    return POISON if x is None or sizes is None else _numbers(call, legendre_values(x, sizes[0]))
+
+
+_KNOWN = "constants and structural parameters"
+
+
+def _number(call: Application, what: str, item: Operand) -> float | None:
+    """A number without a unit that is known while compiling."""
+    number = structural_number(call.ctx, item.value, item.node, "E0317", what=what, allowed=_KNOWN)
+    if number is not None and isinstance(item.value, Scalar) and not fits(item.value.dimension, DIMENSIONLESS):
+        found = quantity(item.value.dimension)
+        call.ctx.sink.report("E0402", item.node.span, function=f"`{call.name}`", found=found)
+        return None
+    return number
+
+
+def _power(call: Application, item: Operand) -> int | None:
+    number = structural_integer(call.ctx, item.value, item.node, "E0317", what="the power", allowed=_KNOWN)
+    if number is not None and number < 0:
+        call.ctx.sink.report("E0334", item.node.span, what="the power", expected="at least 0", found=str(number))
+        return None
+    return number
+
+
+def _numbers(call: Application, values: Sequence[float]) -> Value:
+    if not all(isfinite(value) for value in values):
+        call.ctx.sink.report("E0323", call.node.span, reason="the number is too large")
+        return POISON
+    return Array(tuple(flat.Number(value) for value in values), (len(values),), DIMENSIONLESS)
 
 
 def linspace(call: Application) -> Value:

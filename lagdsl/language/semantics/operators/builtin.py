@@ -290,7 +290,8 @@ BUILTINS: dict[str, tuple[Builtin, int, int]] = {
     "size": (array_functions.size, 1, 2),
     "linspace": (array_functions.linspace, 3, 3),
     "gauss_points": (array_functions.gauss, 1, 1),
-    "gauss_weights": (array_functions.gauss, 1, 1),
+    "gauss_weights": (array_functions.gauss, 1, 3),
+    "legendre": (array_functions.legendre, 2, 2),
     "table": (_table, 3, 6),
     "column": (column, 2, 2),
 }

@@ -11,14 +11,13 @@ from collections.abc import Callable, Iterable
 from random import Random
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lagdsl.foundation.diagnostics import Label, Sink
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.dependence import Dependence
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.language.flat.evaluate import Floats, ManyEvaluator, NotEvaluable, Values
 from lagdsl.language.flat.probe import probes
 from lagdsl.language.flat.quantity import Item
 from lagdsl.language.flat.spans import around, place
@@ -42,18 +41,18 @@ def check_doubled(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> Non
 
 @record()
 class _Term:
-    """A term written by hand: its statement, and its value at a moment."""
+    """A term written by hand: its statement, and its values at moments, shape (k,)."""
 
     item: Item
-    value: Callable[[Evaluator], float]
+    value: Callable[[ManyEvaluator], Floats]
 
 
 @record()
 class _Automatic:
-    """Contributions of one mass or body at a moment."""
+    """Contributions of one mass or body at moments, each of shape (k,)."""
 
     item: Item
-    values: tuple[float, ...]
+    values: tuple[Floats, ...]
 
 
 @record()
@@ -62,7 +61,7 @@ class _Comparison:
 
     code: str
     terms: list[_Term]
-    automatic: Callable[[fm.FlatModel, Evaluator], list[_Automatic]]
+    automatic: Callable[[fm.FlatModel, ManyEvaluator], list[_Automatic]]
     vary: bool = False
 
 
@@ -70,23 +69,22 @@ def _compare(flat: fm.FlatModel, comparison: _Comparison, sink: Sink) -> None:
     terms = comparison.terms[:_MOST_TERMS]
     if not terms:
         return
-    random = Random(20240229)
-    columns, rows = [], []
+    random, moments = Random(20240229), []
+    for moment in probes(flat, min(2 * len(terms) + 8, max(_MOST_PLACES // len(_heavy(flat)), _FEWEST))):
+        other = {p.name: p.value * random.uniform(1.0, 1.5) for p in flat.parameters if p.kind == "Real"}
+        variables = moment.variables | (other if comparison.vary else {})
+        moments.append(Values(variables=variables, rates=moment.rates))
     try:
-        for moment in probes(flat, min(2 * len(terms) + 8, max(_MOST_PLACES // len(_heavy(flat)), _FEWEST))):
-            other = {p.name: p.value * random.uniform(1.0, 1.5) for p in flat.parameters if p.kind == "Real"}
-            variables = moment.variables | (other if comparison.vary else {})
-            evaluator = Evaluator(flat, Values(variables=variables, rates=moment.rates))
-            columns.append([term.value(evaluator) for term in terms])
-            rows.append(comparison.automatic(flat, evaluator))
+        evaluator = ManyEvaluator(flat, moments)
+        table = np.array([term.value(evaluator) for term in terms]).T
+        automatic = comparison.automatic(flat, evaluator)
     except NotEvaluable:
         return
-    table = np.array(columns)
     sound = np.all(np.isfinite(table), axis=1)
     if np.count_nonzero(sound) < _FEWEST:
         return
     table = _centered(table[sound])
-    for item, target in _targets(rows):
+    for item, target in _targets(automatic):
         used = _sum_of(table, _centered(target[sound]))
         if used:
             first = terms[used[0]].item
@@ -95,13 +93,13 @@ def _compare(flat: fm.FlatModel, comparison: _Comparison, sink: Sink) -> None:
             sink.report(comparison.code, place(first), *around(first), *others, item=_statement(item))
 
 
-def _targets(rows: list[list[_Automatic]]) -> Iterable[tuple[Item, NDArray[np.float64]]]:
+def _targets(automatic: list[_Automatic]) -> Iterable[tuple[Item, Floats]]:
     """Each contribution along the moments, then the sum of the last ones of all items where there are several."""
-    for index, first in enumerate(rows[0]):
-        for part in range(len(first.values)):
-            yield first.item, np.array([row[index].values[part] for row in rows])
-    if len(rows[0]) > 1:
-        yield rows[0][0].item, np.array([sum(each.values[-1] for each in row) for row in rows])
+    for each in automatic:
+        for values in each.values:
+            yield each.item, values
+    if len(automatic) > 1:
+        yield automatic[0].item, np.sum([each.values[-1] for each in automatic], axis=0)
 
 
 def _statement(item: Item) -> str:
@@ -111,7 +109,7 @@ def _statement(item: Item) -> str:
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
-def _sum_of(columns: NDArray[np.float64], target: NDArray[np.float64]) -> list[int]:
+def _sum_of(columns: Floats, target: Floats) -> list[int]:
     """The columns whose sum the target is; empty where it is no such sum."""
     size = float(np.max(np.abs(target), initial=0.0))
     if size == 0.0 or not np.all(np.isfinite(target)):
@@ -129,7 +127,7 @@ def _sum_of(columns: NDArray[np.float64], target: NDArray[np.float64]) -> list[i
     return [int(i) for i in np.flatnonzero(chosen)] if float(np.max(np.abs(left))) < _TOLERANCE * size else []
 
 
-def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _centered(values: Floats) -> Floats:
     return np.asarray(values - np.mean(values, axis=0))
 
 
@@ -156,7 +154,7 @@ def _energies(flat: fm.FlatModel, kind: str) -> list[_Term]:
     return found
 
 
-def _scalar(value: fx.FlatExpression) -> Callable[[Evaluator], float]:
+def _scalar(value: fx.FlatExpression) -> Callable[[ManyEvaluator], Floats]:
     return lambda evaluator: evaluator.scalar(value)
 
 
@@ -194,13 +192,13 @@ def _heavy(flat: fm.FlatModel) -> tuple[fm.PointMass | fm.RigidBody, ...]:
     return (*flat.masses, *flat.bodies)
 
 
-def _potentials(flat: fm.FlatModel, evaluator: Evaluator) -> list[_Automatic]:
+def _potentials(flat: fm.FlatModel, evaluator: ManyEvaluator) -> list[_Automatic]:
     return [_Automatic(item, (-weight(flat, evaluator, item, moving=False),)) for item in _heavy(flat)]
 
 
-def _powers(flat: fm.FlatModel, evaluator: Evaluator) -> list[_Automatic]:
+def _powers(flat: fm.FlatModel, evaluator: ManyEvaluator) -> list[_Automatic]:
     return [_Automatic(item, (weight(flat, evaluator, item, moving=True),)) for item in _heavy(flat)]
 
 
-def _kinetics(flat: fm.FlatModel, evaluator: Evaluator) -> list[_Automatic]:
+def _kinetics(flat: fm.FlatModel, evaluator: ManyEvaluator) -> list[_Automatic]:
     return [_Automatic(item, kinetic_energies(evaluator, item)) for item in _heavy(flat)]

@@ -8,7 +8,7 @@ from lagdsl.foundation.diagnostics import Sink
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.dependence import Dependence
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.language.flat.evaluate import ManyEvaluator, NotEvaluable, Values
 from lagdsl.language.flat.probe import probes
 from lagdsl.language.flat.quantity import Item
 from lagdsl.language.flat.spans import around, place
@@ -55,15 +55,16 @@ def _check_across(flat: fm.FlatModel, sink: Sink) -> None:
     if not heavy or _asks_reaction(flat):
         return
     try:
-        evaluators = [Evaluator(flat, Values(variables=m.variables, rates=m.rates)) for m in probes(flat, _MOMENTS)]
-        fields = np.array([evaluator.vector(flat.gravity or fx.ZERO_VECTOR) for evaluator in evaluators])
-        places = np.array([centre(evaluator, item) for evaluator in evaluators for item in heavy])
-        speeds = np.array([velocity(evaluator, item) for evaluator in evaluators for item in heavy])
+        moments = [Values(variables=each.variables, rates=each.rates) for each in probes(flat, _MOMENTS)]
+        evaluator = ManyEvaluator(flat, moments)
+        fields = evaluator.vector(flat.gravity or fx.ZERO_VECTOR)
+        places = np.array([centre(evaluator, item)[2] for item in heavy])
+        speeds = np.array([velocity(evaluator, item) for item in heavy])
     except NotEvaluable:
         return
-    upright = not np.any(fields[:, :2]) and np.any(fields[:, 2])
-    largest = np.max(np.abs(speeds), axis=0)
-    if upright and not np.any(places[:, 2]) and largest[2] == 0.0 and largest[1] > _NOTHING * np.max(largest):
+    upright = not np.any(fields[:2]) and np.any(fields[2])
+    largest = np.max(np.abs(speeds), axis=(0, 2))
+    if upright and not np.any(places) and largest[2] == 0.0 and largest[1] > _NOTHING * np.max(largest):
         sink.report("W0527", flat.gravity_span)
 
 
