@@ -19,6 +19,7 @@ typedef struct random_tape {
     uint32_t function[LAG_TAPE_FUNCTION_COUNT][2];
     uint32_t word[MOST_BYTES / 8];
     uint32_t words;
+    int told; /* entries of the equations are */
 } random_tape;
 
 /* A whole number from 0 to `most`. */
@@ -199,6 +200,7 @@ static inline void put_functions(random_tape *tape, const lag_tape_parts *parts)
     const int solved = n[LAG_TAPE_NK] > 0 || any(&tape->seed, 1) == 0;
     const uint32_t elimination = 1 + LAG_ELIMINATION;
     tape->function[elimination][1] = (uint32_t)solved; /* signatures depend on it */
+    tape->told = any(&tape->seed, 1) == 0 && n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ] > 0;
     for (uint32_t i = 0; i < LAG_TAPE_ALONG; ++i) {
         const row_of row = {i == 0 ? 0 : n[LAG_TAPE_PREPARED], n[LAG_TAPE_ROW]};
         if (i != elimination || solved) {
@@ -219,7 +221,8 @@ static inline void put_functions(random_tape *tape, const lag_tape_parts *parts)
         own[1] = own[0] + 1 + any(&tape->seed, MOST_PLACES);
         put_function(tape, parts, base + LAG_TAPE_PRIMAL, (row_of){n[LAG_TAPE_PREPARED], n[LAG_TAPE_ROW]});
         for (uint32_t i = LAG_TAPE_RESIDUAL_ALONG; i < LAG_TAPE_ALONG_COUNT; ++i) {
-            if (i != (solved ? LAG_TAPE_RESIDUAL_ALONG : LAG_TAPE_ACCELERATION_ALONG)) {
+            const int of_equations = tape->told && part == 0 && i == LAG_TAPE_RESIDUAL_ALONG;
+            if (of_equations || i != (solved ? LAG_TAPE_RESIDUAL_ALONG : LAG_TAPE_ACCELERATION_ALONG)) {
                 put_function(tape, parts, base + i, (row_of){own[0], own[1]});
             }
         }
@@ -256,10 +259,11 @@ static inline void put_kinds(random_tape *tape)
     put_section(tape, kinds, end);
 }
 
-/* Rows and columns of entries of a matrix, in any order. */
-static inline void put_pattern(random_tape *tape, uint32_t rows, uint32_t columns)
+/* Rows and columns of `least` or more entries of a matrix, in any order. */
+static inline void put_pattern(random_tape *tape, uint32_t least, uint32_t rows, uint32_t columns)
 {
-    const uint32_t entries = any(&tape->seed, rows * columns);
+    const uint32_t most = rows * columns < 64 ? rows * columns : 64;
+    const uint32_t entries = least + any(&tape->seed, most - least);
     put_rows(tape, entries, rows);
     put_rows(tape, entries, columns);
 }
@@ -299,15 +303,17 @@ static inline size_t write_random_tape(random_tape *tape)
     put_rows(tape, n[LAG_TAPE_NFRICTION], n[LAG_TAPE_NCONTACT] + 1);
     put_rows(tape, n[LAG_TAPE_NSWITCHED], n[LAG_TAPE_NC]);
     put_rows(tape, n[LAG_TAPE_NRESET], state);
-    put_pattern(tape, n[LAG_TAPE_NC], n[LAG_TAPE_NQ]);
-    put_pattern(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]);
-    put_pattern(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NK]);
+    put_pattern(tape, 0, n[LAG_TAPE_NC], n[LAG_TAPE_NQ]);
+    put_pattern(tape, 0, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]);
+    put_pattern(tape, 0, n[LAG_TAPE_NK], n[LAG_TAPE_NK]);
     const uint32_t members = n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
-    const size_t told = tape->count;
-    put_pattern(tape, members, state);
-    const uint32_t is_told = tape->count > told;
-    put_rows(tape, is_told * members, members);
-    put_rows(tape, is_told * state, state);
+    const uint32_t equations = members + n[LAG_TAPE_NC];
+    const uint32_t values = n[LAG_TAPE_NQ] + n[LAG_TAPE_NC];
+    const uint32_t told = (uint32_t)tape->told;
+    put_pattern(tape, told, told * equations, state + values);
+    put_rows(tape, told * equations, equations);
+    put_rows(tape, told * state, state);
+    put_rows(tape, told * values, values);
     put_rows(tape, any(&tape->seed, 1) == 0 ? members : 0, members);
     put_section(tape, numbers, started ? (1 + state) * sizeof(double) : 0);
     put_section(tape, flags, started ? state : 0);

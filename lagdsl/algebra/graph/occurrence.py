@@ -16,36 +16,70 @@ Indices = NDArray[np.intp]
 def occurrences(graph: Graph, elements: Sequence[int], group: Group) -> tuple[Indices, Indices]:
     """For each symbol of `group` in an element: the place of the element and the index of the symbol, element by
     element."""
-    rows, columns = [], []
-    for place, found in enumerate(dependences(graph, elements, {group: 0})):
-        own = members(found)
-        rows.append(np.full(len(own), place, dtype=np.intp))
-        columns.append(own)
+    found = dependences(graph, elements, {group: 0})
     empty = np.zeros(0, dtype=np.intp)
-    return np.concatenate([empty, *rows]), np.concatenate([empty, *columns])
+    rows = np.repeat(np.arange(len(found)), [len(own) for own in found])
+    return rows, np.concatenate([empty, *found])
 
 
-def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> list[int]:
-    """The symbols in each element, as a set of bits: those of a group from its `first` bit on. A node costs little more
-    than its operands, and its set is forgotten behind its last use."""
-    known: dict[int, int] = {}
-    operands, groups = graph.operands, graph.groups
-    mask = sum(1 << group for group in first)
-    nodes = [node for node in graph.live(elements) if groups[node] & mask]
+def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> list[Indices]:
+    """The symbols in each element, ascending: those of a group from its `first` number on.
+
+    A set is bits from some place on. Symbols that are read together have places beside each other, so that few of them
+    are few bits, and a node costs little more than its operands. A set is forgotten behind its last use.
+    """
+    numbers, places = _numbered(graph, elements, first)
+    known: dict[int, tuple[int, int]] = {}
+    operands, nodes = graph.operands, graph.live(elements)
     last = {operand: node for node in nodes for operand in operands[node]} | dict.fromkeys(elements, -1)
     for node in nodes:
-        found = 0 if operands[node] else 1 << first[graph.group(node)] + graph.b[node]
-        for operand in operands[node]:
-            found |= known.get(operand, 0)
+        own = dict.fromkeys(operands[node])
+        sets = [known[operand] for operand in own if operand in known]
+        if node in places:
+            known[node] = places[node], 1
+        elif sets:
+            known[node] = _union(sets)
+        for operand in own:
             if last[operand] == node:
                 known.pop(operand, None)
-        known[node] = found
-    return [known.get(element, 0) for element in elements]
+    return [np.sort(numbers[_members(*known[element])] if element in known else numbers[:0]) for element in elements]
 
 
-def members(bits: int) -> Indices:
-    """The numbers of the bits that are set, ascending. Zeros below the first one cost nothing."""
-    first = ((bits & -bits).bit_length() - 1) // 8 * 8 if bits else 0
-    bits >>= first
+def _numbered(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> tuple[Indices, dict[int, int]]:
+    """Symbols in the order in which a walk from the elements meets them: the number of each, and the place of each node
+    in that order."""
+    mask = sum(1 << group for group in first)
+    operands, groups = graph.operands, graph.groups
+    numbers: list[int] = []
+    places: dict[int, int] = {}
+    seen: set[int] = set()
+    for element in elements:
+        left = [element]
+        while left:
+            node = left.pop()
+            if node in seen or not groups[node] & mask:
+                continue
+            seen.add(node)
+            if operands[node]:
+                left += operands[node]
+            else:
+                places[node] = len(numbers)
+                numbers.append(first[graph.group(node)] + graph.b[node])
+    return np.array(numbers, dtype=np.intp), places
+
+
+def _union(sets: Sequence[tuple[int, int]]) -> tuple[int, int]:
+    """Of sets with the place of their first member and their bits from there on."""
+    if len(sets) == 1:
+        return sets[0]
+    begin = min(place for place, _ in sets)
+    found = 0
+    for place, bits in sets:
+        found |= bits << place - begin
+    return begin, found
+
+
+def _members(place: int, bits: int) -> Indices:
+    """The places in a set."""
     data = bits.to_bytes((bits.bit_length() + 7) // 8, "little")
-    return first + np.flatnonzero(np.unpackbits(np.frombuffer(data, dtype=np.uint8), bitorder="little"))
+    return place + np.flatnonzero(np.unpackbits(np.frombuffer(data, dtype=np.uint8), bitorder="little"))

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from lagdsl.algebra.graph.graph import Graph
 from lagdsl.algebra.graph.operation import DIRECTION_OF, Group
 from lagdsl.algebra.graph.substitute import Substitution
+from lagdsl.derivation.program.passes.pattern import equations_pattern
 from lagdsl.derivation.program.program import Block, Function, Program
 from lagdsl.foundation.record import record
 
@@ -34,7 +35,9 @@ def along(program: Program, *, parameters: bool) -> Along:
     held = _STATE_AND_INPUT if parameters else (Group.DIRECTION_P,)
     motion = _motion(program)
     substitution = Substitution(program.graph, {**_zeros(program, held), **_solution(program, motion)})
-    return Along({name: _substituted(f, substitution) for name, f in _directional(program).items()}, motion)
+    of_equations = not parameters and bool(equations_pattern(program).places)
+    functions = _directional(program, of_equations=of_equations)
+    return Along({name: _substituted(f, substitution) for name, f in functions.items()}, motion)
 
 
 def shared(graph: Graph, roots: Sequence[int], given: Collection[int]) -> list[int]:
@@ -73,12 +76,13 @@ def _zeros(program: Program, groups: Sequence[Group]) -> dict[int, int]:
     return {graph.symbol(g, index): graph.zero for g in groups for index in range(program.layout.size(g))}
 
 
-def _directional(program: Program) -> dict[str, Function]:
-    """The functions of directions that the model has something for."""
-    solved = program.has("acceleration_tangent")
+def _directional(program: Program, *, of_equations: bool) -> dict[str, Function]:
+    """The functions of directions that the model has something for: `of_equations` with `residual` beside
+    `acceleration`, which serves all others."""
+    solved = program.has("acceleration_tangent") and not of_equations
     found = {}
     for name, known in _OF_DIRECTIONS.items():
-        if program.has(known) and name != ("residual" if solved else "acceleration"):
+        if program.has(known) and not (solved and name == "residual"):
             function = program.function(known)
             if name in ("residual", "acceleration") or function.results[0].nodes:
                 found[name] = function

@@ -3,31 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from lagdsl.algebra.graph.occurrence import dependences, members
+from lagdsl.algebra.graph.occurrence import Indices, dependences
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Program
 from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
 from lagdsl.foundation.numerics.reverse_cuthill_mckee import reverse_cuthill_mckee
+from lagdsl.foundation.record import record, remembered
 
 # Rows and columns of entries, row by row.
 Pattern = tuple[Sequence[int], Sequence[int]]
 
 
-@dataclass(frozen=True)
-class RatesPattern:
-    """Entries of d(qdd, zd)/d(q, qd, z), (nq + nz, 2 nq + nz); all empty where they are not told.
+# Elimination in a band has to save so much of the multiplications of a dense one: its inner loops are short.
+_WORTH_A_BAND = 4
 
-    `places` (nq + nz) of its rows, and of the columns of rates and states, in an order in which entries lie near the
-    diagonal, columns of coordinates under those of their rates. `groups` (2 nq + nz): columns of one share no row.
+
+@record()
+class EquationsPattern:
+    """Entries of the derivatives of r, of zd - g and of s by q, qd, z, qdd and lam, (nq + nz + nc, 3 nq + nz + nc); all
+    empty where they are not told.
+
+    `places` (nq + nz + nc) of its rows, and of qd, z and lam, in an order in which entries lie near the diagonal,
+    columns of coordinates and accelerations under those of their rates. `groups` (2 nq + nz) of q, qd and z, and
+    `value_groups` (nq + nc) of qdd and lam: columns of one share no row. Of lam, rows of zd count alone: the others are
+    those of J.
     """
 
     entries: Pattern = ((), ())
     places: tuple[int, ...] = ()
     groups: tuple[int, ...] = ()
+    value_groups: tuple[int, ...] = ()
 
 
 def patterns(program: Program) -> dict[str, tuple[tuple[int, int], Pattern]]:
@@ -81,51 +89,43 @@ def _listed(rows: list[set[int]], width: int) -> Pattern:
     return [i for i, _ in entries], [j for _, j in entries]
 
 
-def rates_pattern(program: Program) -> RatesPattern:
-    """Told where accelerations are expressions and groups of columns are fewer than columns: each derivative of a group
-    takes as long as that of a single one. Multipliers that are left to run time, or a system that is, join all of a
-    component. Loads that depend on accelerations are not followed."""
-    rows = _rates_rows(program)
-    nq, count = len(program.layout.coordinates), len(rows)
-    if any(row.bit_count() == nq + count for row in rows):  # no two columns form a group
-        return RatesPattern()
-    own = [members(row) for row in rows]
-    places = np.repeat(np.arange(count), [len(row) for row in own])
-    columns = np.concatenate([np.zeros(0, dtype=np.intp), *own])
-    groups = disjoint_columns(places, columns, (count, nq + count)).tolist()
-    if not columns.size or len(set(groups)) == nq + count:
-        return RatesPattern()
-    entries = places.tolist(), columns.tolist()
-    others = (column - nq if column >= nq else column for column in entries[1])
-    order = reverse_cuthill_mckee(count, zip(entries[0], others, strict=True))
-    return RatesPattern(entries, tuple(np.argsort(order).tolist()), tuple(groups))
-
-
-def _rates_rows(program: Program) -> list[int]:
-    """Row by row the variables (q, qd, z) that it depends on, as bits; empty where that is not known."""
+@remembered
+def equations_pattern(program: Program) -> EquationsPattern:
+    """Told where elimination in a band is so much shorter than that of d(qdd, zd)/d(qd, z), which is dense in general.
+    Loads that depend on accelerations are not followed."""
     layout = program.layout
     nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
-    if program.has("load") or not program.has("residual"):
-        return []
-    components = layout.components or (0,) * (nq + nz)  # none are told: all are one
-    whole: dict[int, int] = {}
-    for place, component in enumerate(components):
-        whole[component] = whole.get(component, 0) | (1 << nq + place) | (1 << place if place < nq else 0)
-    first = {Group.Q: 0, Group.QD: nq, Group.Z: 2 * nq}
-    if program.has("elimination") and not program.kept_rows:
-        accelerations, multipliers = (block.elements for block in program.function("elimination").results[:2])
-        solved = dependences(program.graph, [*accelerations, *multipliers], first)
-    else:
-        own = [whole[components[i]] for i in range(nq)]
-        solved = own + [sum(set(whole.values()))] * nc
-    if nz == 0:
-        return solved[:nq]
-    first |= {Group.QDD: 2 * nq + nz, Group.LAMBDA: 3 * nq + nz}
-    given = (1 << 2 * nq + nz) - 1
-    rates = []
-    for bits in dependences(program.graph, program.function("state_derivative").results[0].elements, first):
-        row = bits & given
-        for place in members(bits >> 2 * nq + nz):
-            row |= solved[place]
-        rates.append(row)
-    return solved[:nq] + rates
+    if program.has("load") or not nq + nz:
+        return EquationsPattern()
+    rows, columns = _entries_of_equations(program)
+    state, count = 2 * nq + nz, nq + nz + nc
+    unknowns = np.concatenate([np.arange(nq), np.arange(nq + nz), np.arange(nq), np.arange(nq + nz, count)])[columns]
+    order = reverse_cuthill_mckee(count, zip(rows.tolist(), unknowns.tolist(), strict=True))
+    places = np.argsort(order)
+    offsets = places[unknowns] - places[rows]
+    lower, upper = int(np.max(-offsets, initial=0)), int(np.max(offsets, initial=0))
+    if not len(rows) or 3 * _WORTH_A_BAND * count * lower * (lower + upper + 1) > (nq + nz) ** 3:
+        return EquationsPattern()
+    of_state = columns < state
+    of_values = ~of_state & ((rows >= nq) & (rows < nq + nz) | (rows < nq) & (columns < state + nq))
+    return EquationsPattern(
+        (rows.tolist(), columns.tolist()),
+        tuple(places.tolist()),
+        tuple(disjoint_columns(rows[of_state], columns[of_state], (count, state)).tolist()),
+        tuple(disjoint_columns(rows[of_values], columns[of_values] - state, (count, nq + nc)).tolist()),
+    )
+
+
+def _entries_of_equations(program: Program) -> tuple[Indices, Indices]:
+    """Rows and columns, row by row."""
+    graph, layout = program.graph, program.layout
+    nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
+    state, width = 2 * nq + nz, 3 * nq + nz + nc
+    first = {Group.Q: 0, Group.QD: nq, Group.Z: 2 * nq, Group.QDD: state, Group.LAMBDA: state + nq}
+    motion, constraints = program.function("residual").results
+    rates = program.function("state_derivative").results[0]
+    found = dependences(graph, [*motion.elements, *rates.elements, *constraints.elements], first)
+    own = np.repeat(np.arange(len(found)), [len(row) for row in found]) * width + np.concatenate(found)
+    rows, columns = (np.array(numbers, dtype=np.intp) for numbers in jacobian_pattern(program))
+    of_rows, of_multipliers = (nq + nz + rows) * width + state + columns, columns * width + state + nq + rows
+    return np.divmod(np.unique(np.concatenate([own, of_rows, of_multipliers])), width)

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from lagdsl.derivation.program.functions import ALONG_MANY, WRITTEN_OUT
 from lagdsl.derivation.program.lengths import counted, sizes
 from lagdsl.derivation.program.passes.hoist import hoisted
-from lagdsl.derivation.program.passes.pattern import Pattern, patterns, rates_pattern
+from lagdsl.derivation.program.passes.pattern import Pattern, equations_pattern, patterns
 from lagdsl.derivation.program.program import Function, Layout, Program, Slot
 from lagdsl.engines.backends.c.dialect import PREPARED, SINGLE, Place
 from lagdsl.engines.backends.c.function import FUSED, Head, braced, code
@@ -143,14 +143,14 @@ def _tables(program: Program) -> str:
 
 def _patterns(program: Program) -> str:
     """Patterns of the matrices; NULL for those that are not told."""
-    told, rates = patterns(program), rates_pattern(program)
-    told["rates"] = (len(rates.places), len(rates.groups)), rates.entries
-    orders = {"place": rates.places, "group": rates.groups}
+    told, found = patterns(program), equations_pattern(program)
+    told["equations"] = (len(found.places), len(found.groups) + len(found.value_groups)), found.entries
+    orders = {"place": found.places, "group": found.groups, "value_group": found.value_groups}
     members = [f"&model_{name}_pattern" if entries[0] else "NULL" for name, (_, entries) in told.items()]
-    members += [f"model_rates_{name}" if numbers else "NULL" for name, numbers in orders.items()]
+    members += [f"model_equations_{name}" if numbers else "NULL" for name, numbers in orders.items()]
     return (
         "".join(_pattern(name, shape, entries) for name, (shape, entries) in told.items())
-        + "".join(_array("size_t", f"rates_{name}", list(map(str, numbers))) for name, numbers in orders.items())
+        + "".join(_array("size_t", f"equations_{name}", list(map(str, numbers))) for name, numbers in orders.items())
         + f"static const lag_patterns model_patterns = {{{', '.join(members)}}};\n\n"
     )
 

@@ -16,7 +16,7 @@ from lagdsl.algebra.graph.operation import DIRECTION_OF, FIRST_UNARY
 from lagdsl.derivation.program.lengths import counted, sizes
 from lagdsl.derivation.program.passes.along import Along, along
 from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
-from lagdsl.derivation.program.passes.pattern import patterns, rates_pattern
+from lagdsl.derivation.program.passes.pattern import equations_pattern, patterns
 from lagdsl.derivation.program.program import Layout, Program, Slot
 from lagdsl.engines.backends.start import Start
 from lagdsl.engines.backends.tape.function import NO_CODE, Code, results_of, words_of
@@ -26,7 +26,7 @@ from lagdsl.engines.backends.tape.settled import Settled
 from lagdsl.language.flat.events import INITIAL
 
 _DIRECTIONS: Final = mask_of(DIRECTION_OF.values())
-VERSION: Final = 12
+VERSION: Final = 13
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = (
@@ -197,7 +197,7 @@ def _written_once(codes: Sequence[Code]) -> tuple[list[int], NDArray[np.uint32]]
 
 
 def _tables(program: Program) -> list[bytes]:
-    layout, rates = program.layout, rates_pattern(program)
+    layout, equations = program.layout, equations_pattern(program)
     instants = layout.instants
     kinds = [kind_number(layout, index) for index in range(len(layout.kinds))]
     return [
@@ -216,7 +216,7 @@ def _tables(program: Program) -> list[bytes]:
         _words(instants.switched_rows),
         _words(instants.reset_places),
         *(_words(numbers) for _, pattern in patterns(program).values() for numbers in pattern),
-        *(_words(numbers) for numbers in (*rates.entries, rates.places, rates.groups)),
+        *map(_words, (*equations.entries, equations.places, equations.groups, equations.value_groups)),
         _words(layout.components),
     ]
 

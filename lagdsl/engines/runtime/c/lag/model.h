@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 10u
+#define LAG_MODEL_VERSION 11u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -65,9 +65,11 @@ typedef struct lag_patterns {
     const lag_pattern *jacobian; /* J (nc, nq) */
     const lag_pattern *response; /* response (nk, nq) of elimination(), */
     const lag_pattern *coupling; /* and its products with the rows that are kept (nk, nk), the diagonal among them */
-    const lag_pattern *rates;    /* d(qdd, zd)/d(q, qd, z) (nq + nz, 2 nq + nz); if it is told: */
-    const size_t *place; /* (nq + nz) of its rows, and of columns of qd and z, those of q under these, in an order with entries near the diagonal */
-    const size_t *group; /* (2 nq + nz) columns of one number share no row */
+    /* of r, zd - g, s by (q, qd, z, qdd, lam) (nq + nz + nc, 3 nq + nz + nc); where it is told implicit methods decompose it, in an order that is told, too: */
+    const lag_pattern *equations;
+    const size_t *place; /* (nq + nz + nc) of its rows, and of qd, z, lam, with q and qdd under qd: entries lie near the diagonal */
+    const size_t *group; /* (2 nq + nz) of q, qd, z: columns of one number share no row, */
+    const size_t *value_group; /* (nq + nc) nor do those of qdd and lam; of lam only rows of zd count */
 } lag_patterns;
 
 /* Kinds of entries of w, in the order of the entries. */

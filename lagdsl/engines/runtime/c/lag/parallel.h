@@ -45,7 +45,7 @@ typedef struct lag_tangents {
     /* directions dq dqd dz du, or dp; M dqdd - J'dlam = -dr, J dqdd = -ds -> dr (nq), ds (nc) */
     lag_status (*residual)(const lag_arguments *at, double *motion, double *rows);
     /* the same -> dqdd (nq), dlam (nc) with the multipliers of kept rows held, ds (nk) of these; and what is left of the
-     * smallest pivot. Stands for `residual` where it is there. */
+     * smallest pivot. Where it is there, `residual` is so along states only, and only where the model tells lag_patterns.equations. */
     lag_status (*acceleration)(const lag_arguments *at, double *qdd, double *lam, double *rows, double *pivot);
     /* the same and dqdd dlam -> dzd (nz), dy (ny) */
     lag_status (*state_derivative)(const lag_arguments *at, double *rates);

@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 12u
+#define LAG_TAPE_VERSION 13u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -41,10 +41,11 @@ typedef enum lag_tape_section {
     LAG_TAPE_RESPONSE_COLUMNS,
     LAG_TAPE_COUPLING_ROWS,  /* and of their products with these rows */
     LAG_TAPE_COUPLING_COLUMNS,
-    LAG_TAPE_RATES_ROWS,     /* the same of d(qdd, zd)/d(q, qd, z) */
-    LAG_TAPE_RATES_COLUMNS,
-    LAG_TAPE_RATES_PLACES,   /* uint32 (nq + nz), and (2 nq + nz): see lag_patterns; or nothing */
-    LAG_TAPE_RATES_GROUPS,
+    LAG_TAPE_EQUATIONS_ROWS, /* the same of the equations, see lag_patterns, */
+    LAG_TAPE_EQUATIONS_COLUMNS,
+    LAG_TAPE_EQUATIONS_PLACES, /* uint32 (nq + nz + nc), (2 nq + nz) and (nq + nc); or nothing */
+    LAG_TAPE_EQUATIONS_GROUPS,
+    LAG_TAPE_EQUATIONS_VALUE_GROUPS,
     LAG_TAPE_COMPONENTS,     /* uint32 (nq + nz), or nothing */
     LAG_TAPE_START_STATE,    /* double: the time and x (1 + 2 nq + nz), or nothing */
     LAG_TAPE_START_FIXED,    /* bytes (2 nq + nz), or nothing; so are those that follow */

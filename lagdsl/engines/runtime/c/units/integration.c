@@ -10,6 +10,7 @@
 #include "lag/equations/entries.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
+#include "lag/equations/linearization.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
 #include "lag/equations/rank.h"
@@ -98,22 +99,38 @@
 #undef MOST_STEPS
 
 #define along jacobian_along
+#define functions jacobian_functions
 #define pick jacobian_pick
 #define place jacobian_place
 #define places jacobian_places
 #define put jacobian_put
+#define set_directions jacobian_set_directions
 #define solve jacobian_solve
 #define solver jacobian_solver
 #define variables jacobian_variables
 #include "lag/equations/jacobian.c"
 #undef along
+#undef functions
 #undef pick
 #undef place
 #undef places
 #undef put
+#undef set_directions
 #undef solve
 #undef solver
 #undef variables
+
+#define functions linearization_functions
+#define place linearization_place
+#define places linearization_places
+#define set_directions linearization_set_directions
+#define take linearization_take
+#include "lag/equations/linearization.c"
+#undef functions
+#undef place
+#undef places
+#undef set_directions
+#undef take
 
 #define DIFFERENCE motion_DIFFERENCE
 #include "lag/equations/motion.c"
@@ -150,8 +167,10 @@
 #undef place
 
 #define judge levenberg_marquardt_judge
+#define take levenberg_marquardt_take
 #include "lag/linalg/levenberg_marquardt.c"
 #undef judge
+#undef take
 
 #define MOST_SWEEPS linalg_MOST_SWEEPS
 #define rotate linalg_rotate

@@ -46,7 +46,7 @@ void lag_delassus_place(
     s->response = NULL;
     s->lam_response = NULL;
     s->jacobian = NULL;
-    s->patterns = patterns != NULL ? *patterns : (lag_patterns){NULL, NULL, NULL, NULL, NULL, NULL};
+    s->patterns = patterns != NULL ? *patterns : (lag_patterns){NULL, NULL, NULL, NULL, NULL, NULL, NULL};
     s->work.part = lag_take(&memory, kept);
     s->work.x = lag_take(&memory, kept);
     lag_pivoted_cholesky_place(&s->factor, kept, lag_take(&memory, lag_pivoted_cholesky_memory(kept)));

@@ -6,6 +6,7 @@
 #include "lag/equations/discretes.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
+#include "lag/equations/linearization.h"
 #include "lag/linalg/arena.h"
 
 /* Loads with their derivatives, three states for differences, and what serves again at the next state, where there are loads. */
@@ -31,19 +32,10 @@ static void place_written(lag_written *written, const lag_model *model, double *
     written->sought = lag_take(&memory, rows);
 }
 
-/* Directions of q, qd, z, u, p, and what follows of q, qd, z. */
-static size_t directions_memory(const lag_model *model)
-{
-    const size_t size = lag_motion_size(model);
-    const int told = model->patterns != NULL && model->patterns->rates != NULL;
-    return told ? (2 * size + model->nu + model->np) * lag_pattern_directions(model->patterns, size) : 0;
-}
-
 size_t lag_motion_memory(const lag_model *model)
 {
     const size_t values = model->nu + model->nw + model->nq + model->nc + 1;
-    return model->workspace + lag_jacobian_memory(model, NULL) + kept_memory(model) + values + loads_memory(model) + lag_delays_memory(model) +
-           directions_memory(model);
+    return model->workspace + lag_jacobian_memory(model, NULL) + kept_memory(model) + values + loads_memory(model) + lag_delays_memory(model);
 }
 
 /* From so many directions on, several are followed at once: the functions for that have to be made first. */
@@ -109,18 +101,9 @@ static int is_along(lag_motion *motion)
     return along->prepared;
 }
 
-/* The state x at time t for Jacobians, where functions of several directions know it. */
-static lag_along functions_at(lag_motion *motion, double t, const double *x, lag_arguments *at)
+lag_along lag_motion_functions(lag_motion *motion)
 {
-    lag_motion_set_state(motion, t, x);
-    *at = motion->at;
-    if (!is_along(motion)) {
-        return (lag_along){motion->model, NULL, motion->at.workspace, motion->memory};
-    }
-    at->context = motion->along.told.model->context;
-    at->workspace = motion->along.told.workspace;
-    at->kept = NULL;
-    return motion->along.told;
+    return is_along(motion) ? motion->along.told : (lag_along){motion->model, NULL, motion->at.workspace, motion->memory};
 }
 
 static lag_status jacobian(void *context, double t, const double *x, double *matrix)
@@ -129,33 +112,14 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     if (motion->model->nload > 0) {
         return jacobian_with_loads(motion, t, x, matrix);
     }
-    lag_arguments at;
+    lag_motion_set_state(motion, t, x);
     const lag_range state = {0, lag_motion_size(motion->model)};
-    const lag_along by = functions_at(motion, t, x, &at);
+    const lag_along by = lag_motion_functions(motion);
+    lag_arguments at = motion->at;
+    at.context = by.model->context;
+    at.workspace = by.workspace;
+    at.kept = by.tangents == NULL ? at.kept : NULL;
     return lag_jacobian(by.model, by.tangents, &at, state, by.memory, matrix, NULL, &motion->coordinate);
-}
-
-/* Entries that can be nonzero: columns that share no row along one direction (Curtis, Powell, Reid, J. Inst. Maths Applics 13 (1974) 117). */
-static lag_status entries(void *context, double t, const double *x, double *values)
-{
-    lag_motion *motion = context;
-    const lag_patterns *patterns = motion->model->patterns;
-    const lag_pattern *pattern = patterns->rates;
-    const size_t size = lag_motion_size(motion->model);
-    const size_t count = lag_pattern_directions(patterns, size);
-    double *along = motion->directions + (size + motion->model->nu + motion->model->np) * count;
-    lag_fill((size_t)(along - motion->directions), 0.0, motion->directions);
-    for (size_t j = 0; j < size; ++j) {
-        motion->directions[j * count + patterns->group[j]] = 1.0;
-    }
-    lag_arguments at;
-    const lag_along by = functions_at(motion, t, x, &at);
-    const lag_status status =
-        lag_jacobian_along(by.model, by.tangents, &at, count, motion->directions, by.memory, along, NULL, &motion->coordinate);
-    for (size_t k = 0; k < pattern->count; ++k) {
-        values[k] = along[(motion->model->nq + pattern->row[k]) * count + patterns->group[pattern->column[k]]];
-    }
-    return status;
 }
 
 lag_ode lag_motion_ode(const lag_model *model)
@@ -163,10 +127,11 @@ lag_ode lag_motion_ode(const lag_model *model)
     return (lag_ode){
         .size = lag_motion_size(model),
         .nq = model->nq,
+        .nc = model->nc,
         .rates = rates_of_motion,
         .jacobian = jacobian,
         .patterns = model->patterns,
-        .entries = entries,
+        .linearize = lag_motion_linearize,
     };
 }
 
@@ -193,7 +158,6 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     double *delays = motion->loads + loads_memory(model);
     lag_delays_place(&motion->delays, &motion->model, &motion->at, motion->w + places.delay, motion->w + places.delay_rate, delays);
     motion->until = (double)INFINITY;
-    motion->directions = delays + lag_delays_memory(model);
     motion->ode = lag_motion_ode(model);
     motion->ode.context = motion;
 }

@@ -45,7 +45,6 @@ typedef struct lag_motion {
     double *u, *w;       /* (nu) (nw) */
     double *qdd, *lam;   /* (nq) (nc) at the state that was evaluated last */
     double *memory;      /* lag_jacobian_memory() without tangents */
-    double *directions;  /* of models that tell where rates depend on what: groups of its columns, then the rates along these */
     lag_written written;
     double *loads;       /* of models with loads that depend on accelerations or multipliers */
     lag_inputs *inputs;  /* null: u stays as it is */
@@ -72,6 +71,9 @@ size_t lag_motion_memory(const lag_model *model);
 
 /* Lays out `motion` in `memory`, which is zero; u and w are zero, p the defaults. It must not be moved afterwards. */
 void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory);
+
+/* The functions of several directions for the present parameters; without `tangents`, and then of the model itself: there are none. */
+lag_along lag_motion_functions(lag_motion *motion);
 
 /* Other parameters (np), which must stay: prepares the workspace. */
 lag_status lag_motion_parameters(lag_motion *motion, const double *p);

@@ -50,8 +50,7 @@ typedef struct lag_radau_memo {
     double before;     /* length of the step that `trend` is from, 0: none */
     double wall;       /* stage equations of a step so long could not be solved, 0: none such */
     double placed;     /* 1: `middle` is that of the Jacobian at hand */
-    double lower, upper; /* band of the matrices, in the order of lag_ode.patterns, */
-    double banded;     /* 1: they are decomposed in it; 0: they are dense */
+    double lower, upper; /* band of the matrices, in the order of lag_ode.patterns; as wide as they are where these tell nothing */
     double within;     /* error between the ends of the step that was looked at last, as a part of the tolerance, */
     double missed;     /* by how much its stages were missed by their first guess, 0: nothing is known, */
     double unseen;     /* and how many there were since */
@@ -59,29 +58,56 @@ typedef struct lag_radau_memo {
     double trusted;    /* and the length of the step where it was seen, 0: nowhere */
 } lag_radau_memo;
 
-/* Arrays of a method; n: size of the state, m: numbers of it that are not coordinates, entries: those of the Jacobian that are kept. */
+/*
+ * Arrays of a method; n: size of the state, m: rows of the matrices, entries: those of what is decomposed, which is called the Jacobian: df/dx, or
+ * that of the equations where the model tells them. Vectors of `size` numbers are what lag_radau_size() says.
+ */
 typedef struct lag_radau_places {
     lag_radau_memo *memo;
     const lag_radau_table *table;
     double *jacobian;               /* (entries) */
     double *middle;                 /* (entries) what is decomposed: the Jacobian at the start of the step, or at its middle */
     double *real, *complex;         /* (m, width), (pairs, m, width, 2): decomposed, without coordinates; width: that of the band, or m */
-    double *pivots;                 /* (1 + pairs, n) */
+    double *pivots;                 /* (1 + pairs, m) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
-    double *reduced;                /* (n) right side without coordinates */
+    double *sides;                  /* (stages, size) right sides of the systems, then their solutions */
+    double *reduced;                /* (m, 2) of one of them, without coordinates */
     double *change;                 /* (entries) of the Jacobian along the step */
     double *bend;                   /* (entries) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
     double *trend;                  /* (entries) its change along the step before, by time */
-    double *basis;                  /* (LAG_RADAU_KRYLOV + 2, stages, n) */
+    double *basis;                  /* (LAG_RADAU_KRYLOV + 3, stages, size) */
 } lag_radau_places;
 
-/* Entries of the Jacobian that are kept: those that can be nonzero, or all. */
+/* True if the equations are decomposed, else df/dx. */
+static inline int lag_radau_is_sparse(const lag_ode *ode)
+{
+    return lag_ode_pattern(ode) != NULL;
+}
+
+/* Entries of the Jacobian: those that can be nonzero, or all. */
 static inline size_t lag_radau_entries(const lag_ode *ode)
 {
-    const lag_pattern *pattern = lag_ode_pattern(ode);
-    return pattern != NULL ? pattern->count : ode->size * ode->size;
+    return lag_radau_is_sparse(ode) ? lag_ode_pattern(ode)->count : ode->size * ode->size;
+}
+
+/* Numbers of the state that are not coordinates. */
+static inline size_t lag_radau_others(const lag_ode *ode)
+{
+    return ode->size - ode->nq;
+}
+
+/* Numbers of a right side and of its solution: those of the state, and the multipliers of equations. */
+static inline size_t lag_radau_size(const lag_ode *ode)
+{
+    return ode->size + (lag_radau_is_sparse(ode) ? ode->nc : 0);
+}
+
+/* Rows of the matrices: coordinates have none. */
+static inline size_t lag_radau_rows(const lag_ode *ode)
+{
+    return lag_radau_size(ode) - ode->nq;
 }
 
 /* A row behind those of the coordinates has entries from `first` to before `end`, in these columns; null: in all of them. */
@@ -98,9 +124,13 @@ static inline lag_radau_row lag_radau_row_of(const lag_ode *ode, size_t i)
                            : (lag_radau_row){first, first + ode->size, NULL};
 }
 
-/* The band of the matrices; one as wide as they are where it does not pay. */
-lag_band lag_radau_band_of(const lag_ode *ode);
-/* Lets the memo know it. */
+/* True for a row that has the rate of a number by itself: all of df/dx, and of the equations those of states. */
+static inline int lag_radau_is_rate(const lag_ode *ode, size_t row)
+{
+    return !lag_radau_is_sparse(ode) || (row >= ode->nq && row < lag_radau_others(ode));
+}
+
+/* Lets the memo know the band of the matrices. */
 void lag_radau_keep_band(lag_radau_memo *memo, const lag_ode *ode);
 
 size_t lag_radau_memory(const lag_ode *ode);
@@ -125,28 +155,22 @@ unsigned lag_radau_iterations(unsigned stages); /* at most */
 void lag_radau_transform(
     size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
 
-/* Numbers of the state that are not coordinates: so large are the matrices. */
-static inline size_t lag_radau_others(const lag_ode *ode)
-{
-    return ode->size - ode->nq;
-}
-
 static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places *at)
 {
-    return (lag_band){lag_radau_others(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
+    return (lag_band){lag_radau_rows(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
 }
 
 /* Doubles of a real matrix. */
 static inline size_t lag_radau_matrix(const lag_ode *ode, const lag_radau_memo *memo)
 {
-    const size_t m = lag_radau_others(ode);
-    return m * (memo->banded != 0.0 ? (size_t)(2.0 * memo->lower + memo->upper) + 1 : m);
+    const size_t m = lag_radau_rows(ode);
+    return m * (lag_radau_is_sparse(ode) ? (size_t)(2.0 * memo->lower + memo->upper) + 1 : m);
 }
 
-/* The Jacobian at a state: the entries that are kept. */
+/* The Jacobian at a state. */
 static inline lag_status lag_radau_jacobian(const lag_ode *ode, double t, const double *x, double *jacobian)
 {
-    return lag_ode_pattern(ode) != NULL ? ode->entries(ode->context, t, x, jacobian) : ode->jacobian(ode->context, t, x, jacobian);
+    return (lag_radau_is_sparse(ode) ? ode->linearize : ode->jacobian)(ode->context, t, x, jacobian);
 }
 
 /* The matrices of one real and of complex systems for a step of length h, decomposed. LAG_SINGULAR: one of them is singular. */
@@ -164,26 +188,42 @@ double lag_radau_trial(lag_stepper *s, size_t steps);
 /* x (n) becomes the solution of the real system for it. */
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
 
-/* out = part (change + part bend) x */
-void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out);
-
-/* x (stages, n) becomes the solution of the decomposed systems for it. */
-void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *x);
-
-/* Sum over the stages, by the tolerances. */
-double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b);
-
 /*
- * x (stages, n), which solves the equations with the Jacobian at the middle of the step, becomes the solution with one that
- * changes along it, to a small part of itself.
+ * out (size) += factor * entries times x (size): of the equations x has multipliers behind the state, and `rates` (n), or null, stand for accelerations.
+ * Rows of coordinates add nothing, nor do the rates of states themselves.
  */
-void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x);
+void lag_radau_product(
+    const lag_ode *ode, const double *entries, double factor, const double *x, const double *rates, double *out);
 
 /*
- * The slopes of the stages, in `slope`, become one correction of their w by Newton's method with what is decomposed; its size as a part of the
- * tolerances.
+ * The residuals of the rates, x (stages, n), as right sides (stages, size) of the systems: as they are, or times what the equations have in front of
+ * the rates.
+ */
+void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t stages, const double *x, double *sides);
+
+/* Sides (stages, size) become the solutions of the decomposed systems. */
+void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *sides);
+
+/* Sum over the numbers of the state at the stages, each with `apart` numbers, by the tolerances. */
+double lag_radau_inner(const lag_stepper *s, size_t stages, size_t apart, const double *a, const double *b);
+
+/* The same for equations where what they have in front of the rates changes along the step: `sides` are those of its middle. */
+void lag_radau_change_sides(const lag_ode *ode, const lag_radau_places *at, const double *residual, double *sides);
+
+/*
+ * x (stages, size), which solves the systems with the Jacobian at the middle of the step of length h, becomes the solution with one that changes along
+ * it, to a small part of itself. Multipliers follow without a measure.
+ */
+void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x);
+
+/*
+ * Right sides of the systems, in `sides`, become one correction of the stages w by Newton's method with what is decomposed;
+ * its size as a part of the tolerances.
  */
 double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h);
+
+/* Adds solutions of the systems (stages, size) to w (stages, n), which have no multipliers. */
+void lag_radau_add(const lag_ode *ode, size_t stages, const double *sides, double *w);
 
 /*
  * The error estimate (8.19) of a step of length h with the stages z, into `error`; its size as a part of the tolerance. `right` becomes the part of

@@ -20,25 +20,32 @@ enum { FEW = 5, ITERATIONS = 2 };
 /* Entries of the Jacobian: there are at least so many multiplications in an evaluation of the rates. */
 static double entries_of(const lag_ode *ode)
 {
-    const lag_pattern *pattern = lag_ode_pattern(ode);
-    return fmax((double)(ode->nq + (pattern != NULL ? pattern->count : lag_radau_others(ode) * ode->size)), 1.0);
+    return fmax((double)(ode->nq + (lag_radau_is_sparse(ode) ? lag_radau_entries(ode) : lag_radau_others(ode) * ode->size)), 1.0);
+}
+
+/* Directions that show the Jacobian: groups of columns, and of those of M, or every column. */
+static double directions_of(const lag_ode *ode)
+{
+    const lag_patterns *patterns = ode->patterns;
+    return (double)(lag_radau_is_sparse(ode) ?
+        lag_pattern_groups(ode->size, patterns->group) + lag_pattern_groups(ode->nq + ode->nc, patterns->value_group) : ode->size);
 }
 
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done)
 {
     const lag_radau_places at = lag_radau_place(s);
     const double n = (double)s->ode->size;
-    const double m = (double)lag_radau_others(s->ode);
+    const double m = (double)lag_radau_rows(s->ode);
     const double stages = (double)at.table->stages;
     const double matrices = 1.0 + 2.0 * (stages - 1.0); /* a product of complex numbers is four */
     const lag_band band = lag_radau_band(s->ode, &at);
-    const int banded = at.memo->banded != 0.0;
+    const int banded = lag_radau_is_sparse(s->ode);
     const double decomposition = banded ? lag_band_operations(&band) : m * m * m / 3.0;
     const double of_coordinates = s->ode->nq > 0 ? (double)(band.lower + band.upper + 1) : 0.0;
     const double solution = m * (banded ? (double)lag_band_width(&band) + of_coordinates : n);
     const double evaluation = entries_of(s->ode);
     const double implicit = evaluation + (IMPLICIT + OF_STAGES * stages) * n + WAITS * matrices * solution / stages;
-    const double jacobian = evaluation * (double)lag_pattern_directions(s->ode->patterns, s->ode->size) / AT_ONCE + SWEEPS * evaluation;
+    const double jacobian = evaluation * directions_of(s->ode) / AT_ONCE + SWEEPS * evaluation;
     const double all = (double)done->evaluations * implicit + (double)done->decompositions * matrices * decomposition +
         (double)done->jacobians * jacobian;
     return all / (evaluation + EXPLICIT * n);

@@ -23,38 +23,73 @@ typedef struct least_squares {
     double cosine[MOST], sine[MOST], right[MOST + 1];
 } least_squares;
 
+/* out (size) = the change of the Jacobian, from the middle of the step to a place, times x (size) and `rates` (n). */
+static void change(const lag_ode *ode, const lag_radau_places *at, double place, double sign, const double *x, const double *rates, double *out)
+{
+    const double part = place - 0.5;
+    memset(out, 0, lag_radau_size(ode) * sizeof(double));
+    lag_radau_product(ode, at->change, sign * part, x, rates, out);
+    lag_radau_product(ode, at->bend, sign * part * part, x, rates, out);
+}
+
 /* out = v - solution of the decomposed systems for (the change of the Jacobian up to the stages, from the middle on) v */
-static void apply(const lag_ode *ode, const lag_radau_places *at, const double *v, double *out)
+static void apply(const lag_ode *ode, const lag_radau_places *at, double h, const double *v, double *out)
 {
     const lag_radau_table *table = at->table;
-    const size_t n = ode->size;
+    const size_t size = lag_radau_size(ode);
     const size_t stages = table->stages;
-    double *product = at->basis + (MOST + 1) * STAGES * n;
-    lag_radau_transform(n, stages, table->transform, v, out);
-    for (size_t k = 0; k < stages; ++k) {
-        lag_radau_changed(ode, at, table->node[k] - 0.5, out + k * n, product + k * n);
+    double *product = at->basis + (MOST + 1) * STAGES * size;
+    double *rates = product + STAGES * size;
+    lag_radau_transform(size, stages, table->transform, v, out);
+    if (lag_radau_is_sparse(ode)) {
+        lag_radau_transform(size, stages, table->slopes, out, rates);
     }
-    lag_radau_transform(n, stages, table->inverse, product, out);
+    for (size_t i = 0; i < stages * size && lag_radau_is_sparse(ode); ++i) {
+        rates[i] /= h;
+    }
+    for (size_t k = 0; k < stages; ++k) {
+        change(ode, at, table->node[k], 1.0, out + k * size, rates + k * size, product + k * size);
+    }
+    lag_radau_transform(size, stages, table->inverse, product, out);
     lag_radau_decomposed(ode, at, out);
-    for (size_t i = 0; i < stages * n; ++i) {
+    for (size_t i = 0; i < stages * size; ++i) {
         out[i] = v[i] - out[i];
     }
 }
 
-/* The next direction, orthogonal to all before it and of length 1; what it had of them, and its length, into `column`. */
-static void grow(const lag_stepper *s, const lag_radau_places *at, size_t m, double *column)
+void lag_radau_change_sides(const lag_ode *ode, const lag_radau_places *at, const double *residual, double *sides)
 {
-    const size_t size = at->table->stages * s->ode->size;
+    const lag_radau_table *table = at->table;
+    const size_t size = lag_radau_size(ode);
+    const size_t stages = table->stages;
+    double *product = at->basis;
+    double *changed = product + STAGES * size;
+    double *rates = changed + STAGES * size;
+    lag_radau_transform(ode->size, stages, table->transform, residual, rates);
+    for (size_t k = 0; k < stages; ++k) {
+        change(ode, at, table->node[k], -1.0, NULL, rates + k * ode->size, product + k * size);
+    }
+    lag_radau_transform(size, stages, table->inverse, product, changed);
+    for (size_t i = 0; i < stages * size; ++i) {
+        sides[i] += changed[i];
+    }
+}
+
+/* The next direction, orthogonal to all before it and of length 1; what it had of them, and its length, into `column`. */
+static void grow(const lag_stepper *s, const lag_radau_places *at, double h, size_t m, double *column)
+{
+    const size_t apart = lag_radau_size(s->ode);
+    const size_t size = at->table->stages * apart;
     double *next = at->basis + (m + 1) * size;
-    apply(s->ode, at, at->basis + m * size, next);
+    apply(s->ode, at, h, at->basis + m * size, next);
     for (size_t k = 0; k <= m; ++k) {
         const double *before = at->basis + k * size;
-        column[k] = lag_radau_inner(s, at->table->stages, next, before);
+        column[k] = lag_radau_inner(s, at->table->stages, apart, next, before);
         for (size_t i = 0; i < size; ++i) {
             next[i] -= column[k] * before[i];
         }
     }
-    column[m + 1] = sqrt(lag_radau_inner(s, at->table->stages, next, next));
+    column[m + 1] = sqrt(lag_radau_inner(s, at->table->stages, apart, next, next));
     const double by = column[m + 1] > 0.0 ? 1.0 / column[m + 1] : 0.0;
     for (size_t i = 0; i < size; ++i) {
         next[i] *= by;
@@ -97,10 +132,11 @@ static void combine(size_t size, const lag_radau_places *at, least_squares *syst
     }
 }
 
-void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x)
+void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x)
 {
-    const size_t size = at->table->stages * s->ode->size;
-    const double start = sqrt(lag_radau_inner(s, at->table->stages, x, x));
+    const size_t apart = lag_radau_size(s->ode);
+    const size_t size = at->table->stages * apart;
+    const double start = sqrt(lag_radau_inner(s, at->table->stages, apart, x, x));
     least_squares system;
     size_t m = 0;
     if (!(start >= DBL_MIN) || !isfinite(start)) {
@@ -112,7 +148,7 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double *x
     }
     system.right[0] = start;
     while (m < MOST && fabs(system.right[m]) > SMALL * start) {
-        grow(s, at, m, system.column[m]);
+        grow(s, at, h, m, system.column[m]);
         const int last = !(system.column[m][m + 1] > LAG_ROUNDING);
         if (!rotate(&system, m)) {
             break;

@@ -26,10 +26,12 @@ enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_rad
 
 size_t lag_radau_memory(const lag_ode *ode)
 {
-    const size_t vectors = 1 + PAIRS + 3 + (5 + LAG_RADAU_KRYLOV + 2) * STAGES;
+    const size_t vectors = 2 + 5 * STAGES;
+    const size_t sides = 3 + PAIRS + (1 + LAG_RADAU_KRYLOV + 3) * STAGES;
     lag_radau_memo memo;
     lag_radau_keep_band(&memo, ode);
-    return lag_dop853.memory(ode) + MEMO + 5 * lag_radau_entries(ode) + (1 + 2 * PAIRS) * lag_radau_matrix(ode, &memo) + vectors * ode->size;
+    return lag_dop853.memory(ode) + MEMO + 5 * lag_radau_entries(ode) + (1 + 2 * PAIRS) * lag_radau_matrix(ode, &memo) + vectors * ode->size +
+        sides * lag_radau_size(ode);
 }
 
 lag_radau_memo *lag_radau_remembered(const lag_stepper *s)
@@ -41,6 +43,7 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
 {
     const size_t n = s->ode->size;
     const size_t entries = lag_radau_entries(s->ode);
+    const size_t rows = lag_radau_rows(s->ode);
     lag_radau_places at;
     at.memo = lag_radau_remembered(s);
     const size_t matrix = lag_radau_matrix(s->ode, at.memo);
@@ -50,15 +53,16 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
     at.real = at.middle + entries;
     at.complex = at.real + matrix;
     at.pivots = at.complex + 2 * PAIRS * matrix;
-    at.z = at.pivots + (1 + PAIRS) * n;
+    at.z = at.pivots + (1 + PAIRS) * rows;
     at.w = at.z + STAGES * n;
     at.slope = at.w + STAGES * n;
     at.dense = at.slope + STAGES * n;
     at.right = at.dense + STAGES * n;
     at.point = at.right + STAGES * n;
     at.error = at.point + n;
-    at.reduced = at.error + n;
-    at.change = at.reduced + n;
+    at.sides = at.error + n;
+    at.reduced = at.sides + STAGES * lag_radau_size(s->ode);
+    at.change = at.reduced + 2 * rows;
     at.bend = at.change + entries;
     at.trend = at.bend + entries;
     at.basis = at.trend + entries;
@@ -178,14 +182,14 @@ static void residual(size_t n, const lag_radau_places *at, double h)
     }
 }
 
-double lag_radau_inner(const lag_stepper *s, size_t stages, const double *a, const double *b)
+double lag_radau_inner(const lag_stepper *s, size_t stages, size_t apart, const double *a, const double *b)
 {
     const size_t n = s->ode->size;
     double sum = 0.0;
     for (size_t i = 0; i < n; ++i) {
         const double by = 1.0 / s->tolerance[i];
         for (size_t k = 0; k < stages; ++k) {
-            sum += a[k * n + i] * by * (b[k * n + i] * by);
+            sum += a[k * apart + i] * by * (b[k * apart + i] * by);
         }
     }
     return sum;
@@ -195,12 +199,30 @@ double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, do
 {
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
-    residual(n, at, h);
-    lag_radau_decomposed(s->ode, at, at->slope);
+    lag_radau_decomposed(s->ode, at, at->sides);
     if (at->memo->turning > 0.0) {
-        lag_radau_gmres(s, at, at->slope);
+        lag_radau_gmres(s, at, h, at->sides);
     }
-    return sqrt(lag_radau_inner(s, stages, at->slope, at->slope) / (double)(n > 0 ? stages * n : 1));
+    return sqrt(lag_radau_inner(s, stages, lag_radau_size(s->ode), at->sides, at->sides) / (double)(n > 0 ? stages * n : 1));
+}
+
+/* The slopes of the stages become right sides of the systems. */
+static void take_sides(const lag_stepper *s, const lag_radau_places *at, double h)
+{
+    residual(s->ode->size, at, h);
+    lag_radau_take_sides(s->ode, at, at->table->stages, at->slope, at->sides);
+    if (at->memo->turning > 0.0 && lag_radau_is_sparse(s->ode)) {
+        lag_radau_change_sides(s->ode, at, at->slope, at->sides);
+    }
+}
+
+void lag_radau_add(const lag_ode *ode, size_t stages, const double *sides, double *w)
+{
+    for (size_t k = 0; k < stages; ++k) {
+        for (size_t i = 0; i < ode->size; ++i) {
+            w[k * ode->size + i] += sides[k * lag_radau_size(ode) + i];
+        }
+    }
 }
 
 double lag_radau_error(const lag_stepper *s, const lag_radau_places *at, double h)
@@ -248,6 +270,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
         if (stage_slopes(s, at, h) != LAG_OK) {
             return result;
         }
+        take_sides(s, at, h);
         const double size = lag_radau_correction(s, at, h);
         const double rate = before > 0.0 ? size / before : 0.0;
         result.missed = k == 0 ? size : result.missed;
@@ -255,9 +278,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
         if (!isfinite(size) || (before > 0.0 && (rate >= 1.0 || remaining > NEWTON_TOLERANCE))) {
             return result;
         }
-        for (size_t i = 0; i < stages * n; ++i) {
-            at->w[i] += at->slope[i];
-        }
+        lag_radau_add(s->ode, stages, at->sides, at->w);
         lag_radau_transform(n, stages, at->table->transform, at->w, at->z);
         trust = before > 0.0 ? rate / (1.0 - rate) : trust;
         if (size == 0.0 || trust * size < NEWTON_TOLERANCE) {

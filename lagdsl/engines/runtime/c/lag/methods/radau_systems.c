@@ -1,9 +1,15 @@
 /*
- * The linear systems of a Radau method: decomposed, and solved, as dense matrices or in the band that an order of the states leaves
- * (lag/elimination/band.h). The order is that of the entries that can be nonzero, which the model tells.
+ * The linear systems of a Radau method, decomposed and solved.
  *
  * Coordinates are eliminated first: their equations, shift q - v = a, need no matrix. With the Jacobian of the others by themselves, B, and by
  * coordinates, A, there remains (shift I - B - A / shift) v = b + A a / shift, of half as many numbers where all are coordinates and rates.
+ *
+ * B and A have the inverse of M in them, which is dense where M couples the coordinates of a long chain. A model that tells the entries of its equations
+ * (lag_patterns) is solved by these: with r = M vd - f - J' lam and s = J vd - gamma at frozen vd and lam, and vd = shift v - b,
+ *
+ *     (shift M + r_v + r_q / shift) v - J' lam = M b - r_q a / shift ,   (shift J + s_v + s_q / shift) v = J b - s_q a / shift ,
+ *
+ * in a band (lag/elimination/band.h), rows and columns in the order that the model tells, multipliers among them. Rates of states, zd = g, join in.
  *
  * Source of that: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.8, "second order systems".
  */
@@ -14,52 +20,37 @@
 #include "lag/elimination/lu.h"
 #include "lag/methods/radau.h"
 
-/* A band has to save so much of the multiplications of a dense elimination: its inner loops are short. */
-enum { WORTH_A_BAND = 4 };
-
-/* True if elimination in the band is so much shorter. */
-static int pays(const lag_band *band)
+/* Of the matrices, the row or column of this one of the unknowns: the rates, the states, the multipliers of equations. */
+static size_t place_of(const lag_ode *ode, size_t i)
 {
-    const double m = (double)band->n;
-    return lag_band_width(band) <= band->n && WORTH_A_BAND * lag_band_operations(band) <= m * m * m / 3.0;
+    return lag_radau_is_sparse(ode) ? ode->patterns->place[i] : i;
 }
 
-/* Of the matrices, the row or column of this one of the rates and states, */
-static size_t place_of(const lag_ode *ode, const lag_radau_memo *memo, size_t i)
+/* True for the column of an acceleration. */
+static int is_acceleration(const lag_ode *ode, size_t column)
 {
-    return memo->banded != 0.0 ? ode->patterns->place[i] : i;
+    return column >= ode->size && column < ode->size + ode->nq;
 }
 
-/* and that of a column of the Jacobian: columns of coordinates come under those of their rates. */
-static size_t column_of(const lag_ode *ode, size_t column)
+/* The unknown of a column of the Jacobian: coordinates and accelerations come under their rates, multipliers behind the others. */
+static size_t unknown_of(const lag_ode *ode, size_t column)
 {
-    return column < ode->nq ? column : column - ode->nq;
-}
-
-lag_band lag_radau_band_of(const lag_ode *ode)
-{
-    const size_t m = lag_radau_others(ode);
-    const lag_pattern *pattern = lag_ode_pattern(ode);
-    lag_band band = {m, 0, 0};
-    for (size_t i = 0; i < m && pattern != NULL; ++i) {
-        const size_t row = ode->patterns->place[i];
-        for (size_t k = pattern->first[i]; k < pattern->first[i + 1]; ++k) {
-            const size_t column = ode->patterns->place[column_of(ode, pattern->column[k])];
-            const size_t below = row > column ? row - column : 0;
-            const size_t above = column > row ? column - row : 0;
-            band.lower = below > band.lower ? below : band.lower;
-            band.upper = above > band.upper ? above : band.upper;
-        }
+    if (column < ode->size) {
+        return column < ode->nq ? column : column - ode->nq;
     }
-    return pattern != NULL && pays(&band) ? band : (lag_band){m, m, m};
+    return is_acceleration(ode, column) ? column - ode->size : column - 2 * ode->nq;
 }
 
 void lag_radau_keep_band(lag_radau_memo *memo, const lag_ode *ode)
 {
-    const lag_band band = lag_radau_band_of(ode);
-    memo->lower = (double)band.lower;
-    memo->upper = (double)band.upper;
-    memo->banded = band.lower < band.n ? 1.0 : 0.0;
+    const size_t m = lag_radau_rows(ode);
+    const lag_pattern *pattern = lag_ode_pattern(ode);
+    memo->lower = memo->upper = pattern == NULL ? (double)m : 0.0;
+    for (size_t k = 0; pattern != NULL && k < pattern->count; ++k) {
+        const double offset = (double)place_of(ode, unknown_of(ode, pattern->column[k])) - (double)place_of(ode, pattern->row[k]);
+        memo->lower = fmax(memo->lower, -offset);
+        memo->upper = fmax(memo->upper, offset);
+    }
 }
 
 /* A number of one or two parts. */
@@ -85,30 +76,63 @@ static number inverse_of(const number *a)
     return (number){a->parts, {a->value[0] / square, -a->value[1] / square}};
 }
 
+/* So that entry (row, j) of a matrix of numbers of so many parts is at parts * j. */
+static double *row_of(const lag_ode *ode, const lag_radau_places *at, size_t row, size_t parts, double *matrix)
+{
+    const lag_band band = lag_radau_band(ode, at);
+    return matrix + parts * (lag_radau_is_sparse(ode) ? band.lower + row * (lag_band_width(&band) - 1) : row * band.n);
+}
+
+/*
+ * Rows of constraints that depend on others leave open how these share a force; the diagonal of multipliers is so small a part of what the forces of
+ * their rows move the heaviest coordinate by, so that there is a solution. It is an error of the matrix only: iterations take it back. Rows that are
+ * zero, those of open contacts, get any number.
+ */
+static const double OPEN = 1e-12;
+
+static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
+{
+    for (size_t i = lag_radau_others(ode); i < lag_radau_rows(ode); ++i) {
+        const lag_radau_row row = lag_radau_row_of(ode, i);
+        const size_t place = place_of(ode, i);
+        double square = 0.0;
+        double heaviest = 0.0;
+        for (size_t k = row.first; k < row.end; ++k) {
+            if (at->middle[k] != 0.0 && is_acceleration(ode, row.column[k])) {
+                const size_t own = place_of(ode, unknown_of(ode, row.column[k]));
+                const double *diagonal = row_of(ode, at, own, shift->parts, matrix) + shift->parts * own;
+                heaviest = fmax(heaviest, hypot(diagonal[0], shift->parts == 2 ? diagonal[1] : 0.0));
+                square += at->middle[k] * at->middle[k];
+            }
+        }
+        const double moved = heaviest > 0.0 ? OPEN * hypot(shift->value[0], shift->value[1]) * square / heaviest : 0.0;
+        row_of(ode, at, place, shift->parts, matrix)[shift->parts * place] += square > 0.0 ? moved : 1.0;
+    }
+}
+
 /* shift I - J, its coordinates eliminated, into `matrix`, which is zero: numbers of as many parts as the shift has. */
 static void fill(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
 {
-    const lag_band band = lag_radau_band(ode, at);
+    static const number one = {1, {1.0, 0.0}};
     const number inverse = inverse_of(shift);
     const size_t parts = shift->parts;
-    for (size_t i = 0; i < band.n; ++i) {
+    for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
-        const size_t place = place_of(ode, at->memo, i);
-        const size_t begin = at->memo->banded != 0.0 ? band.lower + place * (lag_band_width(&band) - 1) : place * band.n;
-        double *to = matrix + parts * begin;
+        const size_t place = place_of(ode, i);
+        double *to = row_of(ode, at, place, parts, matrix);
         for (size_t k = row.first; k < row.end; ++k) {
             const size_t column = row.column != NULL ? row.column[k] : k - row.first;
-            double *entry = to + parts * place_of(ode, at->memo, column_of(ode, column));
-            const int is_rate = column >= ode->nq;
-            entry[0] -= is_rate ? at->middle[k] : inverse.value[0] * at->middle[k];
-            if (parts == 2 && !is_rate) {
-                entry[1] -= inverse.value[1] * at->middle[k];
+            double *entry = to + parts * place_of(ode, unknown_of(ode, column));
+            const number *factor = column < ode->nq ? &inverse : is_acceleration(ode, column) ? shift : &one;
+            for (size_t part = 0; part < factor->parts; ++part) {
+                entry[part] -= factor->value[part] * at->middle[k];
             }
         }
-        for (size_t part = 0; part < parts; ++part) {
+        for (size_t part = 0; part < parts && lag_radau_is_rate(ode, i); ++part) {
             to[parts * place + part] += shift->value[part];
         }
     }
+    close_multipliers(ode, at, shift, matrix);
 }
 
 static double *matrix_of_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair)
@@ -122,7 +146,7 @@ static int decompose_real(const lag_ode *ode, const lag_radau_places *at, double
     const number shift = real_shift(at, h);
     memset(at->real, 0, lag_radau_matrix(ode, at->memo) * sizeof(double));
     fill(ode, at, &shift, at->real);
-    return at->memo->banded != 0.0 ? lag_band_lu(&band, at->real, at->pivots) : lag_lu(band.n, at->real, at->pivots);
+    return lag_radau_is_sparse(ode) ? lag_band_lu(&band, at->real, at->pivots) : lag_lu(band.n, at->real, at->pivots);
 }
 
 static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double h)
@@ -130,10 +154,10 @@ static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t
     const lag_band band = lag_radau_band(ode, at);
     const number shift = pair_shift(at, pair, h);
     double *matrix = matrix_of_pair(ode, at, pair);
-    double *pivots = at->pivots + (1 + pair) * ode->size;
+    double *pivots = at->pivots + (1 + pair) * lag_radau_rows(ode);
     memset(matrix, 0, 2 * lag_radau_matrix(ode, at->memo) * sizeof(double));
     fill(ode, at, &shift, matrix);
-    return at->memo->banded != 0.0 ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
+    return lag_radau_is_sparse(ode) ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
 }
 
 /* The Jacobian that is decomposed: at the start of the step, or at its middle. */
@@ -178,10 +202,10 @@ static void multiply(size_t count, size_t apart, const number *a, double *x)
     }
 }
 
-/* The entries of a row in columns of coordinates times what is there: `sum` of as many parts, which are n apart in x. */
+/* The entries of a row in columns of coordinates times what is there: `sum` of as many parts, which are `size` apart in x. */
 static void of_coordinates(const lag_ode *ode, const lag_radau_row *row, const double *entry, size_t parts, const double *x, double sum[2])
 {
-    const double *other = x + (parts - 1) * ode->size; /* of one part the same twice */
+    const double *other = x + (parts - 1) * lag_radau_size(ode); /* of one part the same twice */
     sum[0] = sum[1] = 0.0;
     for (size_t j = 0; j < ode->nq && row->column == NULL; ++j) {
         sum[0] += entry[row->first + j] * x[j];
@@ -193,97 +217,122 @@ static void of_coordinates(const lag_ode *ode, const lag_radau_row *row, const d
     }
 }
 
-/* The right side of the equations without coordinates, `right` (others, parts), of x (parts, n), which keeps its coordinates only. */
-static void eliminate(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x, double *right)
+/* The right side of the equations without coordinates, at->reduced (m, parts), of x (parts, size), which keeps its coordinates only. */
+static void eliminate(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x)
 {
-    const size_t n = ode->size;
+    const size_t size = lag_radau_size(ode);
     const size_t parts = shift->parts;
     const number inverse = inverse_of(shift);
     for (size_t part = 0; part < parts; ++part) {
-        double *others = x + part * n + ode->nq;
-        for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-            right[parts * place_of(ode, at->memo, i) + part] = others[i];
+        double *others = x + part * size + ode->nq;
+        for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
+            at->reduced[parts * place_of(ode, i) + part] = others[i];
         }
-        memcpy(others, x + part * n, ode->nq * sizeof(double));
+        memcpy(others, x + part * size, ode->nq * sizeof(double));
     }
-    multiply(ode->nq, n, &inverse, x + ode->nq);
-    for (size_t i = 0; i < lag_radau_others(ode) && ode->nq > 0; ++i) {
+    multiply(ode->nq, size, &inverse, x + ode->nq);
+    for (size_t i = 0; i < lag_radau_rows(ode) && ode->nq > 0; ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
-        const size_t place = place_of(ode, at->memo, i);
+        const size_t place = place_of(ode, i);
         double sum[2];
         of_coordinates(ode, &row, at->middle, parts, x + ode->nq, sum);
         for (size_t part = 0; part < parts; ++part) {
-            right[parts * place + part] += sum[part];
+            at->reduced[parts * place + part] += sum[part];
         }
     }
 }
 
 /* The solution of these equations into x, and the coordinates that follow. */
-static void substitute(const lag_ode *ode, const lag_radau_places *at, const number *shift, const double *right, double *x)
+static void substitute(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x)
 {
-    const size_t n = ode->size;
+    const size_t size = lag_radau_size(ode);
     const size_t parts = shift->parts;
     const number inverse = inverse_of(shift);
     for (size_t part = 0; part < parts; ++part) {
-        double *coordinates = x + part * n;
+        double *coordinates = x + part * size;
         double *to = coordinates + ode->nq;
-        for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-            to[i] = right[parts * place_of(ode, at->memo, i) + part];
+        for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
+            to[i] = at->reduced[parts * place_of(ode, i) + part];
         }
         for (size_t i = 0; i < ode->nq; ++i) {
             coordinates[i] += to[i];
         }
     }
-    multiply(ode->nq, n, &inverse, x);
+    multiply(ode->nq, size, &inverse, x);
 }
 
-void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
+static void solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
 {
     const lag_band band = lag_radau_band(ode, at);
     const number shift = real_shift(at, at->memo->decomposed);
-    double *right = at->reduced;
-    eliminate(ode, at, &shift, x, right);
-    if (at->memo->banded != 0.0) {
-        lag_band_solve(&band, at->real, at->pivots, right);
+    eliminate(ode, at, &shift, x);
+    if (lag_radau_is_sparse(ode)) {
+        lag_band_solve(&band, at->real, at->pivots, at->reduced);
     } else {
-        lag_lu_solve(band.n, at->real, at->pivots, right);
+        lag_lu_solve(band.n, at->real, at->pivots, at->reduced);
     }
-    substitute(ode, at, &shift, right, x);
+    substitute(ode, at, &shift, x);
 }
 
-/* Both parts of x (2, n). */
+/* Both parts of x (2, size). */
 static void solve_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double *x)
 {
     const lag_band band = lag_radau_band(ode, at);
     const number shift = pair_shift(at, pair, at->memo->decomposed);
     double *matrix = matrix_of_pair(ode, at, pair);
-    const double *pivots = at->pivots + (1 + pair) * ode->size;
-    eliminate(ode, at, &shift, x, at->right);
-    if (at->memo->banded != 0.0) {
-        lag_band_solve_complex(&band, matrix, pivots, at->right);
+    const double *pivots = at->pivots + (1 + pair) * lag_radau_rows(ode);
+    eliminate(ode, at, &shift, x);
+    if (lag_radau_is_sparse(ode)) {
+        lag_band_solve_complex(&band, matrix, pivots, at->reduced);
     } else {
-        lag_lu_complex_solve(band.n, matrix, pivots, at->right);
+        lag_lu_complex_solve(band.n, matrix, pivots, at->reduced);
     }
-    substitute(ode, at, &shift, at->right, x);
+    substitute(ode, at, &shift, x);
 }
 
-void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *x)
+void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *sides)
 {
-    lag_radau_solve_real(ode, at, x);
+    solve_real(ode, at, sides);
     for (size_t pair = 0; 2 * pair + 1 < at->table->stages; ++pair) {
-        solve_pair(ode, at, pair, x + (2 * pair + 1) * ode->size);
+        solve_pair(ode, at, pair, sides + (2 * pair + 1) * lag_radau_size(ode));
     }
 }
 
-void lag_radau_changed(const lag_ode *ode, const lag_radau_places *at, double part, const double *x, double *out)
+void lag_radau_product(const lag_ode *ode, const double *entries, double factor, const double *x, const double *rates, double *out)
 {
-    memset(out, 0, ode->nq * sizeof(double));
-    for (size_t i = 0; i < lag_radau_others(ode); ++i) {
+    for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
         double sum = 0.0;
         for (size_t k = row.first; k < row.end; ++k) {
-            sum += (at->change[k] + part * at->bend[k]) * x[row.column == NULL ? k - row.first : row.column[k]];
+            const size_t column = row.column != NULL ? row.column[k] : k - row.first;
+            if (is_acceleration(ode, column)) {
+                sum += entries[k] * (rates != NULL ? rates[column - ode->size + ode->nq] : 0.0);
+            } else if (x != NULL) {
+                sum += entries[k] * x[column < ode->size ? column : column - ode->nq];
+            }
         }
-        out[ode->nq + i] = part * sum;
+        out[ode->nq + i] += factor * sum;
     }
+}
+
+void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t stages, const double *x, double *sides)
+{
+    for (size_t k = 0; k < stages; ++k) {
+        const double *from = x + k * ode->size;
+        double *to = sides + k * lag_radau_size(ode);
+        memcpy(to, from, ode->nq * sizeof(double));
+        for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
+            to[ode->nq + i] = lag_radau_is_rate(ode, i) ? from[ode->nq + i] : 0.0;
+        }
+        if (lag_radau_is_sparse(ode)) {
+            lag_radau_product(ode, at->middle, -1.0, NULL, from, to);
+        }
+    }
+}
+
+void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
+{
+    lag_radau_take_sides(ode, at, 1, x, at->sides);
+    solve_real(ode, at, at->sides);
+    memcpy(x, at->sides, ode->size * sizeof(double));
 }

@@ -98,7 +98,7 @@ static size_t memory_for_stages(const lag_model *model, size_t count)
     const size_t rows = decomposed(model, count);
     const size_t matrix = (rows + 1) * lag_stage_rows_apart(rows) + LAG_ATTEMPT_LANES;
     const size_t columns = rows * (1 + n + model->nu + lanes) + LAG_RADAU_STAGES * model->nq * lanes;
-    return rows > 0 ? matrix + columns + lag_radau_entries(&ode) : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + 2 * n);
+    return rows > 0 ? matrix + columns + n * n : LAG_RADAU_STAGES * (lag_radau_entries(&ode) + n + 3 * lag_radau_size(&ode));
 }
 
 /* The next `count` doubles from where a register begins; there is room for as many as it holds. */
@@ -124,12 +124,14 @@ static void place_stages(lag_collocation_system *system, const lag_model *model,
         equations->jacobian = lag_take(memory, rows * equations->width);
         equations->coordinates = lag_take(memory, LAG_RADAU_STAGES * model->nq * lanes);
         equations->right = lag_take(memory, rows * lanes);
-        system->jacobian = lag_take(memory, lag_radau_entries(&ode));
+        system->jacobian = lag_take(memory, n * n);
         return;
     }
     system->jacobian = lag_take(memory, LAG_RADAU_STAGES * lag_radau_entries(&ode));
     system->slope = lag_take(memory, LAG_RADAU_STAGES * n);
-    system->z = lag_take(memory, LAG_RADAU_STAGES * n);
+    system->z = lag_take(memory, LAG_RADAU_STAGES * lag_radau_size(&ode));
+    system->w = lag_take(memory, LAG_RADAU_STAGES * lag_radau_size(&ode));
+    system->sides = lag_take(memory, LAG_RADAU_STAGES * lag_radau_size(&ode));
 }
 
 static size_t memory_for(const lag_model *model, size_t count)

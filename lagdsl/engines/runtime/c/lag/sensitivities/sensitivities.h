@@ -94,9 +94,11 @@ typedef struct lag_columns {
 /* The linear equations of the stages of Radau, decomposed or solved by corrections. */
 typedef struct lag_collocation_system {
     lag_stage_equations equations; /* matrix null: they are too many */
-    double *jacobian;              /* (stages, entries) as Radau keeps them; decomposed: of one stage */
+    double *jacobian;              /* (stages, entries) as Radau keeps them; decomposed: df/dx of one stage */
     double *slope;                 /* (stages, n) where the column begins, */
-    double *z;                     /* (stages, n) and what the stages add to it */
+    double *z;                     /* (stages, lag_radau_size()) and what the stages add to it, */
+    double *w;                     /* the same in transformed coordinates */
+    double *sides;                 /* what the equations of the stages lack */
 } lag_collocation_system;
 
 /* Arrays of ROS2. */

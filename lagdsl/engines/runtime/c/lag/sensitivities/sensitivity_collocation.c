@@ -5,7 +5,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
+#include "lag/linalg/vector.h"
 #include "lag/sensitivities/sensitivities.h"
 
 /* ---- decomposed ---- */
@@ -27,57 +29,58 @@ static lag_status solve_decomposed(lag_sensitivities *s, const lag_stepper *step
 /* Corrections at most: of the state they contract, or the step would not have been accepted. */
 enum { MOST = 60 };
 
-/* slope = f + J z at all stages */
-static void find_slopes(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system)
+/* What the equations of the stages lack at z, as right sides of the systems. */
+static void find_sides(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system)
 {
     const lag_ode *ode = stepper->ode;
     const size_t n = ode->size;
-    for (size_t stage = 0; stage < at->table->stages; ++stage) {
-        const double *jacobian = system->jacobian + stage * lag_radau_entries(ode);
-        const double *z = system->z + stage * n;
-        double *slope = at->slope + stage * n;
-        memcpy(slope, system->slope + stage * n, n * sizeof(double));
+    const size_t size = lag_radau_size(ode);
+    const size_t stages = at->table->stages;
+    const double h = stepper->t - stepper->t_before;
+    lag_radau_transform(size, stages, at->table->slopes, system->z, system->sides);
+    for (size_t stage = 0; stage < stages; ++stage) {
+        const double *z = system->z + stage * size;
+        double *side = system->sides + stage * size;
+        double *rates = at->slope + stage * n;
+        for (size_t i = 0; i < n; ++i) {
+            rates[i] = side[i] / h - system->slope[stage * n + i];
+        }
         for (size_t i = 0; i < ode->nq; ++i) {
-            slope[i] += z[ode->nq + i];
+            side[i] = z[ode->nq + i] - rates[i];
         }
-        for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-            const lag_radau_row row = lag_radau_row_of(ode, i);
-            double sum = 0.0;
-            for (size_t k = row.first; k < row.end; ++k) {
-                sum += jacobian[k] * z[row.column == NULL ? k - row.first : row.column[k]];
-            }
-            slope[ode->nq + i] += sum;
+        for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
+            side[ode->nq + i] = lag_radau_is_rate(ode, i) ? -rates[ode->nq + i] : 0.0;
         }
+        lag_radau_product(ode, system->jacobian + stage * lag_radau_entries(ode), 1.0, z, rates, side);
     }
+    lag_radau_transform(size, stages, at->table->inverse, system->sides, at->sides);
 }
 
 /* z of a column. 0: they do not contract. */
 static int correct(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system)
 {
     const size_t n = stepper->ode->size;
+    const size_t size = lag_radau_size(stepper->ode);
     const size_t stages = at->table->stages;
-    const double h = stepper->t - stepper->t_before;
     double before = (double)INFINITY;
-    memset(system->z, 0, stages * n * sizeof(double));
-    memset(at->w, 0, stages * n * sizeof(double));
+    lag_fill(stages * size, 0.0, system->z);
+    lag_fill(stages * size, 0.0, system->w);
     for (unsigned k = 0; k < MOST; ++k) {
-        find_slopes(stepper, at, system);
-        const double size = lag_radau_correction(stepper, at, h);
-        if (!isfinite(size)) {
+        find_sides(stepper, at, system);
+        const double change = lag_radau_correction(stepper, at, stepper->t - stepper->t_before);
+        if (!isfinite(change)) {
             return 0;
         }
-        for (size_t i = 0; i < stages * n; ++i) {
-            at->w[i] += at->slope[i];
-        }
-        lag_radau_transform(n, stages, at->table->transform, at->w, system->z);
-        const double length = sqrt(lag_radau_inner(stepper, stages, at->w, at->w) / (double)(n > 0 ? stages * n : 1));
-        const double rate = size / before;
-        const double left = rate < 1.0 ? rate / (1.0 - rate) * size : (double)INFINITY;
-        const int settled = rate >= 1.0 && size <= 1e5 * LAG_ROUNDING * length; /* what does not shrink any more is round-off */
-        if (size == 0.0 || (k > 0 && left <= 10.0 * LAG_ROUNDING * length) || settled) {
+        lag_axpy(stages * size, 1.0, at->sides, system->w);
+        lag_radau_transform(size, stages, at->table->transform, system->w, system->z);
+        const double length = sqrt(lag_radau_inner(stepper, stages, size, system->w, system->w) / (double)(n > 0 ? stages * n : 1));
+        const double rate = change / before;
+        const double left = rate < 1.0 ? rate / (1.0 - rate) * change : (double)INFINITY;
+        const int settled = rate >= 1.0 && change <= 1e5 * LAG_ROUNDING * length; /* what does not shrink any more is round-off */
+        if (change == 0.0 || (k > 0 && left <= 10.0 * LAG_ROUNDING * length) || settled) {
             return 1;
         }
-        before = size;
+        before = change;
     }
     return 0;
 }
@@ -85,15 +88,19 @@ static int correct(const lag_stepper *stepper, const lag_radau_places *at, const
 static lag_status solve_by_corrections(lag_sensitivities *s, const lag_stepper *stepper, const lag_radau_places *of_state)
 {
     const size_t lanes = s->columns.lanes;
-    const size_t rows = of_state->table->stages * stepper->ode->size;
+    const size_t n = stepper->ode->size;
+    const size_t rows = of_state->table->stages * n;
     const lag_collocation_system *system = &s->work.collocation;
     for (size_t k = 0; k < s->of.count; ++k) {
-        double *own = s->work.slopes + k / lanes * LAG_DOP853_SLOPES * stepper->ode->size * lanes;
+        double *own = s->work.slopes + k / lanes * LAG_DOP853_SLOPES * n * lanes;
         lag_lane_get(lag_columns_lanes(s, k / lanes), k % lanes, rows, own, system->slope);
         if (!correct(stepper, of_state, system)) {
             return LAG_MISSING;
         }
-        lag_lane_put(lag_columns_lanes(s, k / lanes), k % lanes, rows, system->z, own);
+        for (size_t stage = 0; stage < of_state->table->stages; ++stage) { /* without multipliers */
+            memcpy(system->slope + stage * n, system->z + stage * lag_radau_size(stepper->ode), n * sizeof(double));
+        }
+        lag_lane_put(lag_columns_lanes(s, k / lanes), k % lanes, rows, system->slope, own);
     }
     return LAG_OK;
 }

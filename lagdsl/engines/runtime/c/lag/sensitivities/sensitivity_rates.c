@@ -92,58 +92,68 @@ static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
     return status == LAG_OK && !(pivot > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
 }
 
-/* The Jacobian where they are found, as Radau keeps it. */
-static void find_entries(const lag_motion_derivatives *found, const lag_ode *ode, double *entries)
+/* df/dx (n, n) where they are found. */
+static void find_jacobian(const lag_motion_derivatives *found, const lag_ode *ode, double *jacobian)
 {
     const lag_rows_of_columns *by_state = &found->product.by_state;
     for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-        const lag_radau_row row = lag_radau_row_of(ode, i);
-        for (size_t k = row.first; k < row.end; ++k) {
-            const double *along = by_state->first + (row.column == NULL ? k - row.first : row.column[k]);
+        for (size_t column = 0; column < ode->size; ++column) {
+            const double *along = by_state->first + column;
             double sum = 0.0;
             for (size_t j = 0; j < by_state->height; ++j) {
                 sum += found->response[i * by_state->height + j] * along[j * by_state->apart];
             }
-            entries[k] = sum;
+            jacobian[(ode->nq + i) * ode->size + column] = sum;
         }
     }
 }
 
-/* Entries that Radau keeps into rows (others, width). */
-static void scatter(const lag_ode *ode, const double *entries, size_t width, double *rows)
+/* df/dx (n, n), without the rows of coordinates, into rows (others, width). */
+static void take_rows(const lag_ode *ode, const double *jacobian, size_t width, double *rows)
 {
     lag_fill(lag_radau_others(ode) * width, 0.0, rows);
     for (size_t i = 0; i < lag_radau_others(ode); ++i) {
-        const lag_radau_row row = lag_radau_row_of(ode, i);
-        for (size_t k = row.first; k < row.end; ++k) {
-            rows[i * width + (row.column == NULL ? k - row.first : row.column[k])] = entries[k];
-        }
+        memcpy(rows + i * width, jacobian + (ode->nq + i) * ode->size, ode->size * sizeof(double));
     }
+}
+
+/* For stage equations that are decomposed, of stage i. */
+static lag_status jacobian_to_decompose(lag_sensitivities *s, lag_run *run, double t, const double *x, size_t i, int known)
+{
+    const lag_stage_equations *equations = &s->work.collocation.equations;
+    const lag_ode *ode = run->stepper.ode;
+    double *rows = equations->jacobian + i * lag_radau_others(ode) * equations->width;
+    if (known) {
+        const lag_motion_derivatives *found = &s->work.motion;
+        s->sums->multiply(&found->product.response, equations->width, found->by_state, NULL, rows);
+        return LAG_OK;
+    }
+    const lag_status status = ode->jacobian(ode->context, t, x, s->work.collocation.jacobian);
+    if (status == LAG_OK) {
+        take_rows(ode, s->work.collocation.jacobian, equations->width, rows);
+    }
+    return status;
 }
 
 lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, const double *x, size_t i)
 {
-    const lag_motion_derivatives *found = &s->work.motion;
-    const lag_stage_equations *equations = &s->work.collocation.equations;
     const lag_ode *ode = run->stepper.ode;
     const int written = s->along.motion.tangents != NULL && s->along.motion.tangents->jacobian != NULL;
-    const int decomposed = equations->matrix != NULL;
+    const int decomposed = s->work.collocation.equations.matrix != NULL;
     double *entries = s->work.collocation.jacobian + (decomposed ? 0 : i * lag_radau_entries(ode));
-    double *rows = equations->jacobian + (decomposed ? i * lag_radau_others(ode) * equations->width : 0);
     lag_status status = written ? lag_columns_look(s, run, t, x, 0) : LAG_OK;
-    if (status == LAG_OK && found->known) {
-        if (decomposed) {
-            s->sums->multiply(&found->product.response, equations->width, found->by_state, NULL, rows);
-        } else {
-            find_entries(found, ode, entries);
-        }
-        return LAG_OK;
+    const int known = status == LAG_OK && s->work.motion.known;
+    if (status != LAG_OK) {
+        return status;
     }
-    status = status == LAG_OK ? lag_radau_jacobian(ode, t, x, entries) : status;
-    if (status == LAG_OK && decomposed) {
-        scatter(ode, entries, equations->width, rows);
+    if (decomposed) {
+        status = jacobian_to_decompose(s, run, t, x, i, known);
+    } else if (known && !lag_radau_is_sparse(ode)) {
+        find_jacobian(&s->work.motion, ode, entries);
+    } else {
+        status = lag_radau_jacobian(ode, t, x, entries);
     }
-    return status == LAG_OK ? lag_columns_look(s, run, t, x, 0) : status;
+    return status == LAG_OK && !known ? lag_columns_look(s, run, t, x, 0) : status;
 }
 
 /* ---- by functions of several directions ---- */

@@ -144,10 +144,13 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     tape->patterns.jacobian = take_pattern(parts, LAG_TAPE_JACOBIAN_ROWS, model->nc, model->nq, &row_memory, &tape->jacobian);
     tape->patterns.response = take_pattern(parts, LAG_TAPE_RESPONSE_ROWS, model->nk, model->nq, &row_memory, &tape->response);
     tape->patterns.coupling = take_pattern(parts, LAG_TAPE_COUPLING_ROWS, model->nk, model->nk, &row_memory, &tape->coupling);
-    const size_t rates = model->nq + model->nz;
-    tape->patterns.rates = take_pattern(parts, LAG_TAPE_RATES_ROWS, rates, model->nq + rates, &row_memory, &tape->rates);
-    tape->patterns.place = take_rows(parts, LAG_TAPE_RATES_PLACES, &row_memory, tape->patterns.rates != NULL ? rates : 0);
-    tape->patterns.group = take_rows(parts, LAG_TAPE_RATES_GROUPS, &row_memory, tape->patterns.rates != NULL ? model->nq + rates : 0);
+    const size_t equations = model->nq + model->nz + model->nc;
+    tape->patterns.equations =
+        take_pattern(parts, LAG_TAPE_EQUATIONS_ROWS, equations, 2 * model->nq + equations, &row_memory, &tape->equations);
+    const int told = tape->patterns.equations != NULL;
+    tape->patterns.place = take_rows(parts, LAG_TAPE_EQUATIONS_PLACES, &row_memory, told ? equations : 0);
+    tape->patterns.group = take_rows(parts, LAG_TAPE_EQUATIONS_GROUPS, &row_memory, told ? 2 * model->nq + model->nz : 0);
+    tape->patterns.value_group = take_rows(parts, LAG_TAPE_EQUATIONS_VALUE_GROUPS, &row_memory, told ? model->nq + model->nc : 0);
     model->patterns = &tape->patterns;
     model->components = take_rows(parts, LAG_TAPE_COMPONENTS, &row_memory, (size_t)lag_tape_components_length(parts));
     model->defaults = section(parts, LAG_TAPE_DEFAULTS);

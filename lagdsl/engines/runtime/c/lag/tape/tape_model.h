@@ -28,7 +28,7 @@ enum {
 typedef struct lag_tape {
     lag_model model; /* whose context is this structure */
     lag_start start;
-    lag_pattern jacobian, response, coupling, rates;
+    lag_pattern jacobian, response, coupling, equations;
     lag_patterns patterns; /* of these, those that are told */
     lag_states states;
     lag_tangents tangents[2], differentiated; /* of states and inputs, of parameters; with jacobian() alone, or nothing */

@@ -106,8 +106,9 @@ static uint64_t rows(const lag_tape_parts *parts)
                             2 * (uint64_t)size[LAG_TAPE_NFRICTION] + size[LAG_TAPE_NSWITCHED] + size[LAG_TAPE_NRESET];
     return listed + pattern(parts, LAG_TAPE_JACOBIAN_ROWS, size[LAG_TAPE_NC]) + pattern(parts, LAG_TAPE_RESPONSE_ROWS, size[LAG_TAPE_NK]) +
            pattern(parts, LAG_TAPE_COUPLING_ROWS, size[LAG_TAPE_NK]) +
-           pattern(parts, LAG_TAPE_RATES_ROWS, (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NZ]) +
-           parts->part[LAG_TAPE_RATES_PLACES].length / sizeof(uint32_t) + parts->part[LAG_TAPE_RATES_GROUPS].length / sizeof(uint32_t) +
+           pattern(parts, LAG_TAPE_EQUATIONS_ROWS, (uint64_t)size[LAG_TAPE_NQ] + size[LAG_TAPE_NZ] + size[LAG_TAPE_NC]) +
+           (parts->part[LAG_TAPE_EQUATIONS_PLACES].length + parts->part[LAG_TAPE_EQUATIONS_GROUPS].length +
+               parts->part[LAG_TAPE_EQUATIONS_VALUE_GROUPS].length) / sizeof(uint32_t) +
            lag_tape_components_length(parts);
 }
 
@@ -118,16 +119,18 @@ static int pattern_agrees(const lag_tape_parts *parts, lag_tape_section rows, ui
     return length <= count * width && holds(parts, rows, length, sizeof(uint32_t)) && holds(parts, rows + 1, length, sizeof(uint32_t));
 }
 
-/* Entries of the Jacobian of the rates, with their order and the groups of columns. */
-static int rates_agree(const lag_tape_parts *parts)
+/* Entries of the derivatives of the equations, with their order and the groups of columns. */
+static int equations_agree(const lag_tape_parts *parts)
 {
     const uint32_t *n = parts->size;
-    const uint64_t rows = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
-    const uint64_t columns = rows + n[LAG_TAPE_NQ];
-    const int told = lag_tape_pattern_length(parts, LAG_TAPE_RATES_ROWS) > 0;
-    return pattern_agrees(parts, LAG_TAPE_RATES_ROWS, rows, columns) &&
-           holds(parts, LAG_TAPE_RATES_PLACES, told ? rows : 0, sizeof(uint32_t)) &&
-           holds(parts, LAG_TAPE_RATES_GROUPS, told ? columns : 0, sizeof(uint32_t));
+    const uint64_t rows = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ] + n[LAG_TAPE_NC];
+    const uint64_t values = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NC];
+    const uint64_t state = 2 * (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
+    const int told = lag_tape_pattern_length(parts, LAG_TAPE_EQUATIONS_ROWS) > 0;
+    return pattern_agrees(parts, LAG_TAPE_EQUATIONS_ROWS, rows, state + values) &&
+           holds(parts, LAG_TAPE_EQUATIONS_PLACES, told ? rows : 0, sizeof(uint32_t)) &&
+           holds(parts, LAG_TAPE_EQUATIONS_GROUPS, told ? state : 0, sizeof(uint32_t)) &&
+           holds(parts, LAG_TAPE_EQUATIONS_VALUE_GROUPS, told ? values : 0, sizeof(uint32_t));
 }
 
 static int sizes_agree(const lag_tape_parts *parts)
@@ -150,7 +153,7 @@ static int sizes_agree(const lag_tape_parts *parts)
            pattern_agrees(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC], n[LAG_TAPE_NQ]) &&
            pattern_agrees(parts, LAG_TAPE_RESPONSE_ROWS, n[LAG_TAPE_NK], n[LAG_TAPE_NQ]) &&
            pattern_agrees(parts, LAG_TAPE_COUPLING_ROWS, n[LAG_TAPE_NK], n[LAG_TAPE_NK]) &&
-           rates_agree(parts) &&
+           equations_agree(parts) &&
            may_hold(parts, LAG_TAPE_COMPONENTS, (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ], word) &&
            may_hold(parts, LAG_TAPE_START_STATE, 1 + state, sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_FIXED, state, 1) && may_hold(parts, LAG_TAPE_START_WRITTEN, state, 1) &&
@@ -223,6 +226,7 @@ static int along_agrees(const lag_tape_parts *parts, unsigned part)
     const uint32_t shared = n[LAG_TAPE_SHARED + 2 * part];
     const uint32_t row = n[LAG_TAPE_ALONG_ROW + 2 * part];
     const int solved = table[2 * (1 + LAG_ELIMINATION) + 1] > 0;
+    const int of_equations = part == 0 && lag_tape_pattern_length(parts, LAG_TAPE_EQUATIONS_ROWS) > 0;
     int there[LAG_TAPE_ALONG_COUNT];
     int any = 0;
     for (unsigned i = 0; i < LAG_TAPE_ALONG_COUNT; ++i) {
@@ -232,7 +236,7 @@ static int along_agrees(const lag_tape_parts *parts, unsigned part)
     if (!any) {
         return shared == 0 && row == 0;
     }
-    return there[LAG_TAPE_PRIMAL] && there[LAG_TAPE_RESIDUAL_ALONG] == !solved && there[LAG_TAPE_ACCELERATION_ALONG] == solved &&
+    return there[LAG_TAPE_PRIMAL] && there[LAG_TAPE_RESIDUAL_ALONG] == (!solved || of_equations) && there[LAG_TAPE_ACCELERATION_ALONG] == solved &&
            (there[LAG_TAPE_RATES_ALONG] || n[LAG_TAPE_NZ] == 0) && (there[LAG_TAPE_OUTPUT_ALONG] || n[LAG_TAPE_NY] == 0) &&
            n[LAG_TAPE_PREPARED] <= shared && shared <= n[LAG_TAPE_ROW] && shared <= row;
 }
@@ -258,6 +262,7 @@ static int rows_agree(const lag_tape_parts *parts)
     const uint32_t *n = parts->size;
     const uint64_t rates = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NZ];
     const uint64_t state = rates + n[LAG_TAPE_NQ];
+    const uint64_t values = (uint64_t)n[LAG_TAPE_NQ] + n[LAG_TAPE_NC];
     const uint32_t *kept = (const void *)parts->part[LAG_TAPE_KEPT_ROWS].bytes;
     for (uint32_t i = 1; i < n[LAG_TAPE_NK]; ++i) {
         if (kept[i] <= kept[i - 1]) {
@@ -270,9 +275,10 @@ static int rows_agree(const lag_tape_parts *parts)
            below(parts, LAG_TAPE_JACOBIAN_ROWS, n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_JACOBIAN_COLUMNS, n[LAG_TAPE_NQ]) &&
            below(parts, LAG_TAPE_RESPONSE_ROWS, n[LAG_TAPE_NK]) && below(parts, LAG_TAPE_RESPONSE_COLUMNS, n[LAG_TAPE_NQ]) &&
            below(parts, LAG_TAPE_COUPLING_ROWS, n[LAG_TAPE_NK]) && below(parts, LAG_TAPE_COUPLING_COLUMNS, n[LAG_TAPE_NK]) &&
-           below(parts, LAG_TAPE_COMPONENTS, rates) && below(parts, LAG_TAPE_RATES_ROWS, rates) &&
-           below(parts, LAG_TAPE_RATES_PLACES, rates) && below(parts, LAG_TAPE_RATES_COLUMNS, state) &&
-           below(parts, LAG_TAPE_RATES_GROUPS, state) && below(parts, LAG_TAPE_RESET_PLACES, state);
+           below(parts, LAG_TAPE_COMPONENTS, rates) && below(parts, LAG_TAPE_EQUATIONS_ROWS, rates + n[LAG_TAPE_NC]) &&
+           below(parts, LAG_TAPE_EQUATIONS_PLACES, rates + n[LAG_TAPE_NC]) && below(parts, LAG_TAPE_EQUATIONS_COLUMNS, state + values) &&
+           below(parts, LAG_TAPE_EQUATIONS_GROUPS, state) && below(parts, LAG_TAPE_EQUATIONS_VALUE_GROUPS, values) &&
+           below(parts, LAG_TAPE_RESET_PLACES, state);
 }
 
 /* True if all functions are there that every model has, and those that this model requires. */
