@@ -151,7 +151,7 @@ def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
         [center] = drawing.anchors
         if isinstance(center, str):
             continue
-        for name in frames_in(machine, center):
+        for name in sorted(frames_in(machine, center)):
             own = fx.FrameOrigin(name)
             if (drawing.spans[1:], name) in frames and np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
                 yield between("rope", "to the mass center", own, center, drawing.spans, columns)
