@@ -53,10 +53,9 @@ def views(name: str, browser: Any) -> Iterator[Image.Image]:
         yield Image.open(path).convert("RGB")
         path = Path(folder) / "machine.html"
         path.write_text(page(flat, Wishes(), source=file, sink=sink), encoding="utf-8")
-        shown = browser.new_page(viewport={"width": WINDOWS[0][0], "height": 800})
+        shown = browser.new_page(viewport={"width": WINDOWS[0][0], "height": 800}, reduced_motion="reduce")
         shown.goto(path.as_uri())
         shown.wait_for_selector("html[data-ready]", timeout=MILLISECONDS, state="attached")
-        shown.keyboard.press("Space")
         shown.keyboard.press("Home")
         for width, scheme in WINDOWS:
             shown.set_viewport_size({"width": width, "height": 800})
