@@ -17,10 +17,9 @@ from typing import Any
 
 from PIL import Image, ImageDraw
 
-from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.page.page import page
 from lagdsl.documents.plot.picture.draw import draw, prepared, save_picture
-from lagdsl.documents.plot.picture.recording import record_motion, rows_of_scene, up_of
+from lagdsl.documents.plot.picture.recording import record_motion, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.motion.pipeline import flatten_file, read
@@ -46,7 +45,7 @@ def views(name: str, browser: Any) -> Iterator[Image.Image]:
     if file is None or flat is None:
         raise SystemExit("\n".join(f"{name}: {d.code} {d.message}" for d in sink.diagnostics))
     made = record_motion(flat, Wishes(), 201)
-    picture = prepared(stage_of(made.scene, rows_of_scene(made.scene, [made.motion]), up_of(flat, made.scene)))
+    picture = prepared(staged(flat, made.scene, [made.motion]))
     draw(picture, 0)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "machine.png"
@@ -54,10 +53,9 @@ def views(name: str, browser: Any) -> Iterator[Image.Image]:
         yield Image.open(path).convert("RGB")
         path = Path(folder) / "machine.html"
         path.write_text(page(flat, Wishes(), source=file, sink=sink), encoding="utf-8")
-        shown = browser.new_page(viewport={"width": WINDOWS[0][0], "height": 800})
+        shown = browser.new_page(viewport={"width": WINDOWS[0][0], "height": 800}, reduced_motion="reduce")
         shown.goto(path.as_uri())
         shown.wait_for_selector("html[data-ready]", timeout=MILLISECONDS, state="attached")
-        shown.keyboard.press("Space")
         shown.keyboard.press("Home")
         for width, scheme in WINDOWS:
             shown.set_viewport_size({"width": width, "height": 800})

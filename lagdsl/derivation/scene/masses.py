@@ -18,6 +18,7 @@ from lagdsl.derivation.scene.machine import (
     evaluator_at,
     fixed,
     fixed_points,
+    frames_in,
     in_axes,
     length_behind,
     movers_of,
@@ -142,15 +143,16 @@ def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
 
 def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
     """A thin arm from the frame of a body to its mass center, one of the `centres` that components draw."""
-    frames = {body.spans[1:]: fx.FrameOrigin(body.frame) for body in machine.flat.bodies}
+    frames = {(body.spans[1:], body.frame) for body in machine.flat.bodies}
     columns, at = machine.columns, machine.positions[0]
     for drawing in centres:
         [center] = drawing.anchors
-        own = frames.get(drawing.spans[1:])
-        if own is None or isinstance(center, str):
+        if isinstance(center, str):
             continue
-        if np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
-            yield between("rope", "to the mass center", own, center, drawing.spans, columns)
+        for name in sorted(frames_in(machine, center)):
+            own = fx.FrameOrigin(name)
+            if (drawing.spans[1:], name) in frames and np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
+                yield between("rope", "to the mass center", own, center, drawing.spans, columns)
 
 
 def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:

@@ -23,9 +23,12 @@ MOST_MILLISECONDS = 60_000
 class Opened:
     """A page that is ready, with what it said to the console and asked for."""
 
-    def __init__(self, browser: Any, path: Path, width: int = 1280, height: int = 800, before: str = "") -> None:
-        """`before` is a script that runs first."""
-        self.page = browser.new_page(viewport={"width": width, "height": height})
+    def __init__(
+        self, browser: Any, path: Path, width: int = 1280, height: int = 800, before: str = "", *, still: bool = False
+    ) -> None:
+        """`before` is a script that runs first. A `still` page does not play by itself."""
+        motion = "reduce" if still else "no-preference"
+        self.page = browser.new_page(viewport={"width": width, "height": height}, reduced_motion=motion)
         self.page.add_init_script(before)
         self.faults: list[str] = []
         self.page.on("console", lambda said: self.faults.append(said.text) if said.type == "error" else None)

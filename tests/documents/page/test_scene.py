@@ -140,6 +140,15 @@ def test_the_body_of_a_component_is_seen_by_its_inertia_and_a_point_by_a_ball_on
     assert dict(arm.numbers)["to"] == dict(ball.numbers)["at"]
 
 
+def test_bodies_of_an_array_have_arms_of_their_own() -> None:
+    found = scene(
+        "import Lag.Spatial.*; Revolute joint[2]; Body weight[2](each m = 1 kg, each com = {1, 0, 0}); gravity = 0;"
+        "for i in 1:2 loop connect(world, joint[i], weight[i]); end for;"
+    )
+    arms = [dict(each.numbers) for each in found.shapes if each.kind == "rope"]
+    assert len(arms) == len({each["at"] for each in arms}) == len({each["to"] for each in arms}) == 2
+
+
 @pytest.mark.parametrize(
     ("body", "planar"),
     [

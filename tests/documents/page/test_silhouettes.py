@@ -63,8 +63,7 @@ def test_page_and_picture_show_the_same_machine(name: str, browser: Any, tmp_pat
     """Nine tenths of each silhouette lie on the other one, but for the width of an edge."""
     path = tmp_path / "page.html"
     path.write_text(page_of.__wrapped__(name), encoding="utf-8")
-    page = Opened(browser, path).page
-    page.keyboard.press("Space")
+    page = Opened(browser, path, still=True).page
     page.keyboard.press("Home")
     page.wait_for_timeout(1000)  # the fine picture of a machine at rest
     data = page.evaluate("document.querySelector('#stage canvas').toDataURL()")

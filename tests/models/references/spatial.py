@@ -168,7 +168,7 @@ def spatial_bifilar(p: Parameters, t: Floats) -> dict[str, Floats]:
 
 def spatial_differential(p: Parameters, t: Floats) -> dict[str, Floats]:
     """The same moment on both shafts; the cage has the mean of their angles."""
-    left, right, cage = p["left_wheel.I[3]"], p["right_wheel.I[3]"], p["case.I[3]"]
+    left, right, cage = p["left_wheel.I[1]"], p["right_wheel.I[1]"], p["case.I[1]"]
     share = 30 / (2 + cage * (1 / left + 1 / right) / 2)
     a, b = share / left / 2 * t**2, share / right / 2 * t**2
     return {"left.q": a, "right.q": b, "cage.q": (a + b) / 2, "share": share + 0 * t}

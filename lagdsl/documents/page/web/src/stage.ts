@@ -16,7 +16,7 @@ import { drawn as made, vector, type Drawn, type Frame, type Sizes } from "./sha
 const ROWS_LOOKED_AT = 200;
 /** Shapes that have no ghosts. */
 const STILL = new Set(["trace", "ground", "rail", "track", "frame", "slider", "dial", "text"]);
-const SOLID = new Set(["box", "cylinder", "cone", "disc", "sphere", "mass", "body", "circle", "mesh"]);
+const SOLID = new Set(["box", "cylinder", "cone", "disc", "gear", "sphere", "mass", "body", "circle", "mesh"]);
 const LINKS = new Set(["rod", "spring", "damper", "rope"]);
 const LEAST_LETTERS = 19; // [pixels] with the room above and below
 const POSTURES = 13;
