@@ -14,7 +14,7 @@ import lagdsl
 
 
 class Family(NamedTuple):
-    """What a model is, the end of its motion [s], and its sizes, the last of which are ten times the largest that is
+    """A model, the end of its motion [s], and its sizes, the last of which are ten times the largest that is
     in use; `parts` is what costs should be proportional to, `unit` its name."""
 
     title: str
@@ -45,7 +45,7 @@ FAMILIES: dict[str, Family] = {
 BEFORE = {"balls": 0.15}
 PIECES = 1500
 RUNS = 3
-# CPU seconds for all families: sizes that would take longer are left out. What a family leaves is for the next.
+# CPU seconds for all families: sizes that would take longer are left out. Time that a family leaves is for the next.
 MOST = 420.0
 GROWS = 1.25
 PATIENCE = 300.0  # s of a process

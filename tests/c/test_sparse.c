@@ -19,7 +19,7 @@ static size_t at(size_t place)
     return 7 * place % N;
 }
 
-/* What the inertia has of two neighbours, and its derivative by the first of them. */
+/* Inertia between two neighbours, and its derivative by the first of them. */
 static double coupling(double x, double y)
 {
     return 1.0 + 0.3 * sin(x - y);
@@ -117,7 +117,7 @@ static void equations(const double *x, const double *a, double *to)
     }
 }
 
-/* What follows from them for accelerations. */
+/* Their consequences for accelerations. */
 static lag_status dense(void *context, double t, const double *x, double *jacobian)
 {
     static double system[SYSTEM * SYSTEM], pivot[SYSTEM], a[SYSTEM], all[ROWS * COLUMNS];

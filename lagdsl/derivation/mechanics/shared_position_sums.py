@@ -76,7 +76,7 @@ class _Plain:
         return id(expression) in self.done
 
     def visit(self, expression: FlatExpression) -> list[FlatExpression]:
-        """What is differentiated in it."""
+        """Terms in it that are differentiated."""
         done, found = self.done, []
         for node in postorder(expression, done):
             if isinstance(node, fx.Derivative):

@@ -15,6 +15,7 @@ from lagdsl.derivation.scene.machine import (
     Machine,
     anchors_of,
     constant,
+    directional_derivatives,
     evaluator_at,
     fixed,
     frames_in,
@@ -24,7 +25,6 @@ from lagdsl.derivation.scene.machine import (
     places,
     points_of,
     slides,
-    slopes,
     straight,
     vector,
 )
@@ -95,7 +95,7 @@ def _gradient(
     direction in which the slip s grows."""
     names = sorted(movers_of(machine, value))
     if kind == "spring":
-        return slopes(machine.flat, value, names, seed, moved)
+        return directional_derivatives(machine.flat, value, names, seed, moved)
 
     def power(rates: Mapping[str, float]) -> float:
         return number(evaluator_at(machine.flat, seed, rates, moved), value)
@@ -131,7 +131,7 @@ def _is_distance(machine: Machine, ends: Ends, gradients: list[Floats]) -> bool:
     """Do the gradients lie along those of the distance?"""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
     for seed, gradient in enumerate(gradients):
-        own = slopes(machine.flat, way, sorted(movers_of(machine, way)), seed)
+        own = directional_derivatives(machine.flat, way, sorted(movers_of(machine, way)), seed)
         sizes = float(np.linalg.norm(own) * np.linalg.norm(gradient))
         if not (np.isfinite(own).all() and sizes > 0.0) or abs(abs(own @ gradient) - sizes) > _PARALLEL * sizes:
             return False
@@ -142,15 +142,15 @@ def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends, *, linear: bo
     """Does dV/ds grow with the distance s of the ends? With `linear` in proportion: angles have no such springs."""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
     names = sorted(movers_of(machine, way))
-    along = slopes(machine.flat, way, names, 0)
+    along = directional_derivatives(machine.flat, way, names, 0)
     if not (np.isfinite(along).all() and np.any(along)):
         return False
     lengths, forces = [], []
     for step in (0.0, _STEP, 2.0 * _STEP):
         shift = dict(zip(names, (step * along).tolist(), strict=True))
-        own = slopes(machine.flat, way, names, 0, shift)
+        own = directional_derivatives(machine.flat, way, names, 0, shift)
         lengths.append(number(evaluator_at(machine.flat, 0, moved=shift), way))
-        forces.append(float(own @ slopes(machine.flat, value, names, 0, shift)) / float(own @ own))
+        forces.append(float(own @ directional_derivatives(machine.flat, value, names, 0, shift)) / float(own @ own))
     stiffness = np.diff(forces) / np.diff(lengths)
     rounding = HELD * abs(forces[0]) / (lengths[1] - lengths[0])
     return bool(stiffness[0] > rounding) and not (linear and abs(np.ptp(stiffness)) > _PARALLEL * stiffness[0])

@@ -142,7 +142,7 @@ def axes_at(at: Evaluator, frame: str) -> Floats:
     return np.array([vector(at, fx.FrameAxis(frame, axis)) for axis in range(3)])
 
 
-def slopes(
+def directional_derivatives(
     flat: fm.FlatModel, value: fx.FlatExpression, names: Sequence[str], seed: int, moved: Mapping[str, float] = _NONE
 ) -> Floats:
     """Derivatives of a scalar (names,) or a vector (names, 3) by coordinates, at a position at random."""
@@ -176,7 +176,12 @@ def normal_of(
 ) -> Floats | None:
     """The unit vector n with d(gap)/dq_j = n . d(place)/dq_j for all `movers`, at two positions at random."""
     names = sorted(movers)
-    a, b = (unit_vectors(slopes(flat, place, names, k), slopes(flat, gap, names, k)[:, None]) for k in range(2))
+    a, b = (
+        unit_vectors(
+            directional_derivatives(flat, place, names, k), directional_derivatives(flat, gap, names, k)[:, None]
+        )
+        for k in range(2)
+    )
     return a[0] if a is not None and b is not None and np.abs(a - b).max() <= HELD else None
 
 
@@ -237,7 +242,7 @@ def straight(machine: Machine, point: fx.FlatExpression) -> tuple[str, Floats] |
     if len(movers) != 1 or "time" in machine.dependence.of(point):
         return None
     [name] = movers
-    rows = np.array([slopes(machine.flat, point, [name], seed)[0] for seed in range(3)])
+    rows = np.array([directional_derivatives(machine.flat, point, [name], seed)[0] for seed in range(3)])
     return (name, rows[0]) if constant(rows) and np.any(rows[0]) else None
 
 

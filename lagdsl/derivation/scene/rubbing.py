@@ -93,7 +93,7 @@ class Rubbing:
         values = np.array(found)
         return np.asarray(values[:, 1:] - values[:, :1])
 
-    def _moving(self, at: fx.FlatExpression, velocity: fx.FlatExpression) -> Iterator[_Point]:
+    def _sliding(self, at: fx.FlatExpression, velocity: fx.FlatExpression) -> Iterator[_Point]:
         """A point with this velocity, if it moves and the velocity has a value."""
         moves = self._changes([[vector(moment, velocity) for moment in row] for row in self._at])
         if np.isfinite(moves).all() and np.any(moves):
@@ -103,7 +103,7 @@ class Rubbing:
     def _known(self) -> list[_Point]:
         """Named points, masses, origins of frames with a body, as far as they move."""
         places = sorted(points_of(self._flat), key=lambda at: not isinstance(at, fx.PointReference))
-        return [point for at in places[:_MOST_POINTS] for point in self._moving(at, fx.Derivative(at))]
+        return [point for at in places[:_MOST_POINTS] for point in self._sliding(at, fx.Derivative(at))]
 
     def _touching(self, friction: Friction) -> Iterator[_Point]:
         """Points of bodies that touch: the lowest one of a round shape over the plane of its contact, and named points
@@ -127,7 +127,7 @@ class Rubbing:
                     yield from self._part(body.frame, fx.PointReference(point.name))
 
     def _part(self, frame: str, at: fx.FlatExpression) -> Iterator[_Point]:
-        return self._moving(at, fx.MaterialVelocity(at, frame))
+        return self._sliding(at, fx.MaterialVelocity(at, frame))
 
     # ---- directions --------------------------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from lagdsl.derivation.scene.machine import (
     Machine,
     anchors_of,
     constant,
+    directional_derivatives,
     evaluator_at,
     fixed,
     gaps,
@@ -27,7 +28,6 @@ from lagdsl.derivation.scene.machine import (
     points_of,
     radius_at,
     slides,
-    slopes,
     straight,
     touching_point,
     vector,
@@ -153,7 +153,7 @@ def _wire(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
         if not isinstance(item, fm.Constraint) or movers_of(machine, residual) != movers or len(movers) != 2:
             continue
         for free, solved in (sorted(movers), sorted(movers)[::-1]):
-            slope = np.array([slopes(machine.flat, residual, [solved], seed) for seed in range(3)])
+            slope = np.array([directional_derivatives(machine.flat, residual, [solved], seed) for seed in range(3)])
             if not (constant(slope) and slope[0]) or _is_plane(machine, residual, mass):
                 continue
             rest = substituted(residual, {solved: fx.ZERO})

@@ -26,7 +26,7 @@ class Parts:
     columns: Indices
 
     def only(self, chosen: Flags) -> Parts:
-        """Those that are flagged (k,)."""
+        """Flagged ones (k,)."""
         return Parts(self.labels[chosen], self.rows[chosen], self.columns[chosen])
 
 

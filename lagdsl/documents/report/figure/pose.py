@@ -45,13 +45,13 @@ class Pose:
 
     def rate(self, expression: fx.FlatExpression, coordinate: str) -> Floats:
         """Derivative of a place by a coordinate."""
-        return vector(self._moving(coordinate), fx.Derivative(expression))
+        return vector(self._rate(coordinate), fx.Derivative(expression))
 
     def spin(self, frame: str, coordinate: str) -> Floats:
         """Derivative (3,) of the rotation of a frame by a coordinate."""
-        return vector(self._moving(coordinate), fx.AngularVelocity(frame))
+        return vector(self._rate(coordinate), fx.AngularVelocity(frame))
 
-    def _moving(self, coordinate: str) -> Evaluator:
+    def _rate(self, coordinate: str) -> Evaluator:
         """The coordinate has the rate 1, everything else rests."""
         rests = ("time", *self.values, *(state.name for state in self.flat.states))
         rates = {**dict.fromkeys(rests, 0.0), coordinate: 1.0}

@@ -86,7 +86,7 @@ def words_of(nodes: Nodes, live: Ints, results: Sequence[Result], settled: Settl
     loads, loaded = _loads(nodes, live, at_hand, settled.first)
     body, place, end = _computed(nodes, live, known, at_hand, loaded, told, settled.first)
     copied = np.array([places[~computed], place[own[~computed]], np.full(np.count_nonzero(~computed), ONE)])
-    copies = _moving([CODE["MULTIPLY"], copied.shape[1]], copied.T.ravel()) if copied.size else _NOTHING
+    copies = _movable([CODE["MULTIPLY"], copied.shape[1]], copied.T.ravel()) if copied.size else _NOTHING
     stores = [_stored(number, result, live, place) for number, result in enumerate(results)]
     return _code([*loads, body, copies, *stores, _END], end)
 
@@ -99,20 +99,20 @@ def preparation(nodes: Nodes, live: Ints, hoisted: Ints, settled: Settled, param
     results = np.searchsorted(live, hoisted)
     at_hand[results] = False
     body, _, end = _computed(nodes, live, known, at_hand, _NONE, results, settled.first)
-    own = _moving([CODE["LOAD"], GROUPS[Group.P], 0, parameters], np.array([settled.parameters]))
-    return _code([_moving([CODE["CONSTANTS"]], _NONE), own if parameters else _NOTHING, body, _END], end)
+    own = _movable([CODE["LOAD"], GROUPS[Group.P], 0, parameters], np.array([settled.parameters]))
+    return _code([_movable([CODE["CONSTANTS"]], _NONE), own if parameters else _NOTHING, body, _END], end)
 
 
 _NONE: Ints = np.zeros(0, dtype=np.int64)
 
 
-def _moving(head: Sequence[int], places: Ints) -> Piece:
+def _movable(head: Sequence[int], places: Ints) -> Piece:
     """Words that are no places, and then `places`."""
     return np.concatenate([np.array(head, dtype=np.int64), places]), np.arange(len(head) + len(places)) >= len(head)
 
 
-_NOTHING: Piece = _moving([], _NONE)
-_END: Piece = _moving([CODE["END"]], _NONE)
+_NOTHING: Piece = _movable([], _NONE)
+_END: Piece = _movable([CODE["END"]], _NONE)
 
 
 def _code(pieces: Sequence[Piece], row: int) -> Code:
@@ -136,7 +136,7 @@ def _loads(nodes: Nodes, live: Ints, at_hand: Flags, first: int) -> tuple[list[P
         row = np.full(int(own.max()) + 1 - start, -1, dtype=np.int64)
         row[own - start] = members
         place = first + sum(map(len, loaded))
-        loads.append(_moving([CODE["LOAD"], GROUPS[Group(group)], start, len(row)], np.array([place])))
+        loads.append(_movable([CODE["LOAD"], GROUPS[Group(group)], start, len(row)], np.array([place])))
         loaded.append(row)
     return loads, np.concatenate([_NONE, *loaded])
 
@@ -147,10 +147,10 @@ def _stored(number: int, result: Result, live: Ints, place: Ints) -> Piece:
     if not count:
         return _NOTHING
     if count - len(entries) >= _FEWEST_ZEROS:
-        return _moving([CODE["SCATTER"], number, count, len(entries), *entries.tolist()], own)
+        return _movable([CODE["SCATTER"], number, count, len(entries), *entries.tolist()], own)
     whole = np.full(count, place[np.searchsorted(live, ZERO)] if len(entries) < count else -1)
     whole[entries] = own
-    return _moving([CODE["STORE"], number, 0, count], whole)
+    return _movable([CODE["STORE"], number, 0, count], whole)
 
 
 def _computed(

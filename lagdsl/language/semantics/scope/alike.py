@@ -58,7 +58,7 @@ class Known:
 
 @mutable_record()
 class Alike:
-    """What was met last, by identity of the node."""
+    """The answers met last, by identity of the node."""
 
     _known: dict[int, Known] = field(default_factory=dict)
 

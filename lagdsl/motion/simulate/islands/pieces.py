@@ -79,7 +79,7 @@ class _Cut:
         self._redundant = np.array(layout.redundant, dtype=np.bool_)
 
     def pieces(self, engine: Engine, number: int, islands: IslandClass) -> Iterator[tuple[int, Piece]]:
-        """Those of the class of this number, each behind the place of its first coordinate or state."""
+        """Islands of the class of this number, each behind the place of its first coordinate or state."""
         members = islands.members
         states = np.array([self._places.of_state(each.island) for each in members])
         rows = np.array([each.island.places["nc"] for each in members])

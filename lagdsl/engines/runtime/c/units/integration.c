@@ -13,7 +13,7 @@
 #include "lag/equations/linearization.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
-#include "lag/equations/rank.h"
+#include "lag/elimination/rank.h"
 #include "lag/equations/system_scales.h"
 #include "lag/evaluate.h"
 #include "lag/fixed.h"
@@ -142,11 +142,11 @@
 
 #define multiply rank_multiply
 #define scale rank_scale
-#include "lag/equations/rank.c"
+#include "lag/elimination/rank.c"
 #undef multiply
 #undef scale
 
-#include "lag/equations/rank_order.c"
+#include "lag/elimination/rank_order.c"
 
 #define find_excess system_find_excess
 #define least system_least

@@ -1,6 +1,6 @@
 /*
- * Columns that share no row along one direction (Curtis, Powell, Reid, J. Inst. Maths Applics 13 (1974) 117). What the equations have of accelerations
- * and multipliers, M and J, need no directions of their own.
+ * Columns that share no row along one direction (Curtis, Powell, Reid, J. Inst. Maths Applics 13 (1974) 117). M and J, which multiply accelerations
+ * and multipliers, need no directions of their own.
  */
 #include "lag/equations/linearization.h"
 
@@ -69,7 +69,7 @@ static lag_status find_many(const lag_motion *motion, const lag_along *along, fu
     return status == LAG_OK && !(to->pivot[0] > lag_smallest_pivot(motion->model)) ? LAG_MISSING : status;
 }
 
-/* Those of the model itself, one direction after the other. */
+/* Functions of the model itself, one direction after the other. */
 static void find_one(const lag_motion *motion, functions *f, places *to)
 {
     *to = place(motion->model, 1, motion->memory);
@@ -87,7 +87,7 @@ static void set_directions(size_t first, size_t end, const size_t *of, size_t gr
     }
 }
 
-/* What `rows` lanes say of the entries of rows first and following, in columns from `column` on. */
+/* Entries of rows first and following, in columns from `column` on, out of the lanes of `rows` rows. */
 static void take(const lag_pattern *pattern, size_t first, size_t rows, size_t column, size_t columns, const size_t *of, size_t group,
     size_t lanes, double sign, const double *found, double *entries)
 {

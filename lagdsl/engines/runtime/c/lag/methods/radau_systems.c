@@ -88,7 +88,7 @@ static double *row_of(const lag_ode *ode, const lag_radau_places *at, size_t row
  * their rows move the heaviest coordinate by, so that there is a solution. It is an error of the matrix only: iterations take it back. Rows that are
  * zero, those of open contacts, get any number.
  */
-static const double OPEN = 1e-12;
+enum { OPEN = 4096 }; /* roundings */
 
 static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
 {
@@ -105,7 +105,7 @@ static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, co
                 square += at->middle[k] * at->middle[k];
             }
         }
-        const double moved = heaviest > 0.0 ? OPEN * hypot(shift->value[0], shift->value[1]) * square / heaviest : 0.0;
+        const double moved = heaviest > 0.0 ? OPEN * LAG_ROUNDING * hypot(shift->value[0], shift->value[1]) * square / heaviest : 0.0;
         row_of(ode, at, place, shift->parts, matrix)[shift->parts * place] += square > 0.0 ? moved : 1.0;
     }
 }

@@ -29,7 +29,7 @@ static lag_status solve_decomposed(lag_sensitivities *s, const lag_stepper *step
 /* Corrections at most: of the state they contract, or the step would not have been accepted. */
 enum { MOST = 60 };
 
-/* What the equations of the stages lack at z, as right sides of the systems. */
+/* Residuals of the equations of the stages at z, as right sides of the systems. */
 static void find_sides(const lag_stepper *stepper, const lag_radau_places *at, const lag_collocation_system *system)
 {
     const lag_ode *ode = stepper->ode;

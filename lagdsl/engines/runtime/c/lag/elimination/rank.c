@@ -1,4 +1,4 @@
-#include "lag/equations/rank.h"
+#include "lag/elimination/rank.h"
 
 #include <math.h>
 #include <string.h>
