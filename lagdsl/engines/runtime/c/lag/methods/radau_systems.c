@@ -18,6 +18,7 @@
 
 #include "lag/elimination/band.h"
 #include "lag/elimination/lu.h"
+#include "lag/linalg/linalg.h"
 #include "lag/methods/radau.h"
 
 /* Of the matrices, the row or column of this one of the unknowns: the rates, the states, the multipliers of equations. */
@@ -88,7 +89,7 @@ static double *row_of(const lag_ode *ode, const lag_radau_places *at, size_t row
  * their rows move the heaviest coordinate by, so that there is a solution. It is an error of the matrix only: iterations take it back. Rows that are
  * zero, those of open contacts, get any number.
  */
-enum { OPEN = 4096 }; /* roundings */
+enum { OPEN = 100 }; /* roundings */
 
 static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
 {
