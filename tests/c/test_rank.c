@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 
 enum { ROWS = 60, COLUMNS = ROWS + 1, ENTRIES = 2 * ROWS };
 

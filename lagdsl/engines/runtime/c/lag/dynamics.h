@@ -69,6 +69,12 @@ void lag_system_place(lag_system *system, size_t n, size_t m, const size_t *comp
 lag_status lag_system_factor(
     lag_system *system, const double *mass, const double *jacobian, size_t most, size_t *coordinate);
 
+/*
+ * For lag_system_factor(): `column_scale`, `row_scale` and the scaled `rows` for the mass and the Jacobian that were set; `dependent`: some rows follow
+ * from others.
+ */
+void lag_system_scale(lag_system *system, int dependent);
+
 /* Solution a (n), lam (m) for force (n) and gamma (m), refined to working accuracy. */
 void lag_system_solve(lag_system *system, const double *force, const double *gamma, double *a, double *lam);
 

@@ -20,7 +20,7 @@
 #include "lag/events/instant.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 #include "lag/run/results.h"
 #include "lag/run/singular_crossing.h"
 #include "lag/run/turns.h"

@@ -10,11 +10,9 @@
 #include "lag/equations/entries.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
-#include "lag/equations/linearization.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
-#include "lag/elimination/rank.h"
-#include "lag/equations/system_scales.h"
+#include "lag/equations/rank.h"
 #include "lag/evaluate.h"
 #include "lag/fixed.h"
 #include "lag/linalg/arena.h"
@@ -142,11 +140,11 @@
 
 #define multiply rank_multiply
 #define scale rank_scale
-#include "lag/elimination/rank.c"
+#include "lag/equations/rank.c"
 #undef multiply
 #undef scale
 
-#include "lag/elimination/rank_order.c"
+#include "lag/equations/rank_order.c"
 
 #define find_excess system_find_excess
 #define least system_least

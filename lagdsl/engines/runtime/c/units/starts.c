@@ -6,7 +6,7 @@
 #include "lag/contacts/reserve_program.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 #include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse.h"
 #include "lag/impulses/impulse_step.h"

@@ -2,7 +2,7 @@
  * Columns that share no row along one direction (Curtis, Powell, Reid, J. Inst. Maths Applics 13 (1974) 117). M and J, which multiply accelerations
  * and multipliers, need no directions of their own.
  */
-#include "lag/equations/linearization.h"
+#include "lag/equations/motion.h"
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"

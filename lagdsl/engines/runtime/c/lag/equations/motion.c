@@ -6,7 +6,6 @@
 #include "lag/equations/discretes.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
-#include "lag/equations/linearization.h"
 #include "lag/linalg/arena.h"
 
 /* Loads with their derivatives, three states for differences, and what serves again at the next state, where there are loads. */

@@ -96,4 +96,12 @@ lag_status lag_motion_solve(lag_motion *motion, double t, const double *x);
 /* The same, where its rates xd may be known (or null). */
 lag_status lag_motion_know(lag_motion *motion, double t, const double *x, const double *xd);
 
+/* ---- linearization.c ---- */
+
+/*
+ * The equations linear about a state, which implicit methods decompose in a band: the entries that lag_patterns.equations tells, at the state x, its
+ * accelerations and multipliers, of the equations with changed signs: -r, g - zd, -s. `context` is a lag_motion.
+ */
+lag_status lag_motion_linearize(void *context, double t, const double *x, double *entries);
+
 #endif

@@ -2,7 +2,6 @@
 
 #include "lag/dynamics.h"
 
-#include "lag/equations/system_scales.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/arena.h"
 

@@ -1,7 +1,7 @@
 /* Scales of the coordinates and rows of a system, by which its ranks are judged. */
 #include <math.h>
 
-#include "lag/equations/system_scales.h"
+#include "lag/dynamics.h"
 #include "lag/linalg/linalg.h"
 
 /* The same figures as in the NumPy modules: see their file `linear` for what they mean. */

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 #include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"

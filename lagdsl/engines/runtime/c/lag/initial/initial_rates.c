@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "lag/equations/entries.h"
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 #include "lag/initial/initial_rates.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/svd.h"

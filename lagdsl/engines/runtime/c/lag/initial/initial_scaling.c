@@ -1,5 +1,5 @@
 #include "lag/equations/entries.h"
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 #include "lag/initial/initial_scaling.h"
 
 #include <float.h>

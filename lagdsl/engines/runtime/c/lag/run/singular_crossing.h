@@ -40,7 +40,7 @@ void lag_singular_place(lag_singular *singular, struct lag_run *run, double *mem
 void lag_singular_begin(lag_singular *singular, int attention);
 /* Before a step, not beyond `limit`. *done: a fitted motion is there as a step that was done. LAG_BRANCH_POINT: branches cannot be told apart. */
 lag_status lag_singular_ahead(lag_singular *singular, double limit, int *done);
-/* After a step that ended on the constraints, where lag/elimination/rank.h asks for it. LAG_ATTENTION: it is to be tried with the length *shorter. */
+/* After a step that ended on the constraints, where lag/equations/rank.h asks for it. LAG_ATTENTION: it is to be tried with the length *shorter. */
 lag_status lag_singular_after(lag_singular *singular, double *shorter);
 /*
  * Accelerations and multipliers into motion.qdd and motion.lam for a row of x at time t: where J is nearly singular and the state moves, the
@@ -60,7 +60,7 @@ void lag_collocation_interpolate(size_t first, size_t width, const double *value
 double lag_collocation_value(size_t width, const double *coefficients, double part);
 void lag_collocation_state(const lag_model *model, const double *coefficients, const double *start, double length, double part, double *x);
 int lag_run_row_counts(const struct lag_run *run, size_t row); /* true: the row lasts, and is independent in general */
-/* The least pivot of J (lag/elimination/rank.h) at x at time t; `rows`, `phi` and `drift` there, and their number, 0 where there are none. */
+/* The least pivot of J (lag/equations/rank.h) at x at time t; `rows`, `phi` and `drift` there, and their number, 0 where there are none. */
 double lag_singular_margin(lag_singular *singular, double t, const double *x);
 size_t lag_singular_rows(lag_singular *singular, double t, const double *x);
 

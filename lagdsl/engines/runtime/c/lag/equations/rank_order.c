@@ -1,5 +1,5 @@
 /* Places of the rows of an estimate: their order, the border, and the band of their products. */
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "lag/elimination/rank.h"
+#include "lag/equations/rank.h"
 
 #include <math.h>
 #include <string.h>
