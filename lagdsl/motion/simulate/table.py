@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from lagdsl.derivation.program.program import Layout
 from lagdsl.engines.runtime.run import Run
 from lagdsl.foundation.numerics.rank import Floats
@@ -168,22 +166,13 @@ def _columns_of_rows(flat: FlatModel) -> slice | list[int]:
 def sensitivities_of(flat: FlatModel, run: Run, names: Sequence[str]) -> Sensitivities:
     """Derivatives of all rows so far."""
     found = run.results.derivatives()
-    rows, columns = found.rows(), _columns_of_derivatives(flat)
-    table = np.zeros((len(rows), len(names), 1 + rows[:, :, columns].shape[2]))  # time does not change
-    table[:, :, 1:] = rows[:, :, columns]
-    return Sensitivities(names=tuple(names), table=table, times=found.times(), places=_places_of_names(flat))
+    return Sensitivities(names=tuple(names), table=found.rows(), times=found.times(), places=_places_of_names(flat))
 
 
 @remembered
-def _columns_of_derivatives(flat: FlatModel) -> slice | list[int]:
-    """Places of all columns but time in a row of derivatives, as one piece where it is one."""
-    places = [place - 1 for place in places_of_columns(flat)[1:]]
-    return slice(len(places)) if places == list(range(len(places))) else places
-
-
-@remembered
-def _places_of_names(flat: FlatModel) -> dict[str, int]:
-    """Columns of all names."""
-    places = {head[0]: column for column, head in enumerate(heads_of(flat))}
+def _places_of_names(flat: FlatModel) -> dict[str, int | None]:
+    """Places of all names in a row of derivatives, which has no time: it does not change."""
+    columns = zip(heads_of(flat), places_of_columns(flat), strict=True)
+    places = {head[0]: place - 1 if place else None for head, place in columns}
     others = {other: places[name] for name, each in other_names(flat).items() for other in each if name in places}
     return places | others

@@ -162,7 +162,7 @@ def _outcome(
     rows = _rows(motion, options)
     values = np.column_stack([c.values[rows] for c in kept]) if kept else np.empty((len(rows), 0))
     found = motion.sensitivities
-    derivatives = None if found is None else found.table[rows][:, :, [found.places[c.name] for c in kept]]
+    derivatives = None if found is None else np.moveaxis(found.jacobian([c.name for c in kept]), 0, -1)[rows]
     end = float(motion.time[-1]) if len(motion) else np.nan
     return Outcome(
         index=task.index,

@@ -16,13 +16,14 @@ static size_t size_of(const lag_run *run)
 }
 
 /* Arrays of a block, for the sums of DOP853; `at` has those of another one. */
-static void move_to(const lag_sensitivities *s, const lag_run *run, size_t block, lag_attempt_arrays *at)
+static inline void move_to(const lag_sensitivities *s, const lag_run *run, size_t block, lag_attempt_arrays *at)
 {
+    const lag_model *model = run->motion.model;
     const size_t columns = block * s->columns.lanes; /* before those of the block */
     at->lanes = lag_columns_lanes(s, block);
     at->x = s->columns.before + columns * at->size;
     at->slope = s->work.slopes + columns * LAG_DOP853_SLOPES * at->size;
-    at->x_new = s->columns.x + columns * lag_columns_variables(run->motion.model);
+    at->x_new = s->columns.x + columns * (at->size + model->nu + model->np);
 }
 
 /* The same of any. */
