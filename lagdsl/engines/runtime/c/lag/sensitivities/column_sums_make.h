@@ -240,6 +240,7 @@ LAG_ATTEMPT_INLINED void square_one(const lag_attempt_arrays *at, const double *
 LAG_ATTEMPT_INLINED double error_inlined(const lag_attempt_arrays *at, const double *of_state, double relative, const double *extent)
 {
     const double size = (double)at->size;
+    const double mean = relative * relative / size;
     squares found;
     double most = 0.0;
     size_t lane = 0;
@@ -255,7 +256,7 @@ LAG_ATTEMPT_INLINED double error_inlined(const lag_attempt_arrays *at, const dou
         const double both = found.fifth[k] + 0.01 * found.third[k];
         const double part = at->h[k] * found.fifth[k];
         const double larger = found.behind[k] > found.before[k] ? found.behind[k] : found.before[k];
-        const double own = relative * relative * larger / size;
+        const double own = mean * larger;
         const double length = own > extent[k] * extent[k] ? own : extent[k] * extent[k];
         const double square = both > 0.0 ? part * part / (both * size * (length > 0.0 ? length : 1.0)) : 0.0;
         most = square > most ? square : most;

@@ -41,15 +41,17 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
         status = lag_columns_look(s, run, t, x, 1);
     }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        const size_t own = lag_columns_lanes(s, block);
         const double *point = found + block * lag_columns_variables(model) * lanes;
+        const double *discretes = s->columns.w + block * model->nw * lanes;
         if (model->ny > 0) {
             status = lag_columns_rates(s, run, block, t, x, point, s->work.rates, s->work.y);
         }
-        for (size_t lane = 0; lane < lanes && block * lanes + lane < s->of.count; ++lane) {
+        for (size_t lane = 0; lane < own && block * lanes + lane < s->of.count; ++lane) {
             double *to = derivatives + (block * lanes + lane) * width;
-            lag_lane_get(lag_columns_lanes(s, block), lane, n, point, to);
-            lag_columns_get(s, block * lanes + lane, 0, s->discretes, s->columns.w, model->nw, to + n);
-            lag_lane_get(lag_columns_lanes(s, block), lane, model->ny, s->work.y, to + n + s->discretes);
+            lag_lane_get(own, lane, n, point, to);
+            lag_lane_get(own, lane, s->discretes, discretes, to + n);
+            lag_lane_get(own, lane, model->ny, s->work.y, to + n + s->discretes);
         }
     }
     return status;
