@@ -1,4 +1,8 @@
-"""Matrices of which few entries are not zero: J of a mechanism with many parts has a few entries in each row."""
+"""Matrices of which few entries are not zero: J of a mechanism with many parts has a few entries in each row.
+
+`scipy.sparse` has all of this, but takes as long to import as NumPy itself, and `lag check` needs no other part of
+SciPy.
+"""
 
 from __future__ import annotations
 

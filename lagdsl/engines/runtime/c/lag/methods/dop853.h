@@ -247,26 +247,44 @@ LAG_ATTEMPT_INLINED void lag_attempt_compare(size_t lanes, const double *x, doub
     }
 }
 
+/* Estimates of order 5 and of order 3 at i of the error of the new state, as parts of h. */
+LAG_ATTEMPT_INLINED void lag_estimates(size_t count, const double *slope, size_t i, double *fifth, double *third)
+{
+    *fifth = lag_added(count, &lag_dop853_fifth, slope, i, 0.0);
+    *third = lag_added(count, &lag_dop853_stages[LAG_DOP853_END], slope, i, lag_added(count, &lag_dop853_third, slope, i, 0.0));
+}
+
+#if defined(__GNUC__)
+/* The same of several entries. */
+LAG_ATTEMPT_INLINED void lag_wide_estimates(size_t count, const double *slope, size_t i, lag_wide *fifth, lag_wide *third)
+{
+    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
+    const lag_wide none = {0.0};
+    lag_wide e5 = none;
+    lag_wide e3 = lag_wide_added(count, &lag_dop853_third, slope, i, none);
+    for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
+        const lag_wide x = lag_wide_at(slope + step->slope[j] * count + i);
+        e5 += lag_dop853_fifth.weight[j] * x;
+        e3 += step->weight[j] * x;
+    }
+    *fifth = e5;
+    *third = e3;
+}
+#endif
+
 /* Both estimates together, section II.10, formula (10.17), of lane k into error[k]. */
 LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double *error)
 {
     const size_t count = at->size * at->lanes;
     const size_t last = at->lanes - 1; /* all ones: i & last is i % lanes, without a division */
-    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
     double fifth[LAG_ATTEMPT_LANES] = {0.0};
     double third[LAG_ATTEMPT_LANES] = {0.0};
     size_t i = 0;
 #if defined(__GNUC__)
-    const lag_wide none = {0.0};
     for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
         const lag_wide tolerance = lag_wide_at(at->tolerance + i);
-        lag_wide e5 = none;
-        lag_wide e3 = lag_wide_added(count, &lag_dop853_third, at->slope, i, none);
-        for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
-            const lag_wide slope = lag_wide_at(at->slope + step->slope[j] * count + i);
-            e5 += lag_dop853_fifth.weight[j] * slope;
-            e3 += step->weight[j] * slope;
-        }
+        lag_wide e5, e3;
+        lag_wide_estimates(count, at->slope, i, &e5, &e3);
         e5 /= tolerance;
         e3 /= tolerance;
         if (at->lanes >= LAG_WIDTH) {
@@ -283,8 +301,10 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
     }
 #endif
     for (; i < count; ++i) {
-        const double e5 = lag_added(count, &lag_dop853_fifth, at->slope, i, 0.0) / at->tolerance[i];
-        const double e3 = lag_added(count, step, at->slope, i, lag_added(count, &lag_dop853_third, at->slope, i, 0.0)) / at->tolerance[i];
+        double e5, e3;
+        lag_estimates(count, at->slope, i, &e5, &e3);
+        e5 /= at->tolerance[i];
+        e3 /= at->tolerance[i];
         fifth[i & last] += e5 * e5;
         third[i & last] += e3 * e3;
     }

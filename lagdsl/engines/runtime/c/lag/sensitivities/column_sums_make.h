@@ -189,19 +189,13 @@ typedef struct squares {
 LAG_ATTEMPT_INLINED void square_wide(const lag_attempt_arrays *at, const double *of_state, size_t lane, squares *to)
 {
     const size_t count = at->size * at->lanes;
-    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
     const lag_wide none = {0.0};
     lag_wide fifth = none, third = none, before = none, behind = none;
     for (size_t i = 0; i < at->size; ++i) {
         const size_t entry = i * at->lanes + lane;
         const double by = 1.0 / of_state[i];
-        lag_wide e5 = none;
-        lag_wide e3 = lag_wide_added(count, &lag_dop853_third, at->slope, entry, none);
-        for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
-            const lag_wide slope = lag_wide_at(at->slope + step->slope[j] * count + entry);
-            e5 += lag_dop853_fifth.weight[j] * slope;
-            e3 += step->weight[j] * slope;
-        }
+        lag_wide e5, e3;
+        lag_wide_estimates(count, at->slope, entry, &e5, &e3);
         const lag_wide x = lag_wide_at(at->x + entry) * by;
         const lag_wide x_new = lag_wide_at(at->x_new + entry) * by;
         e5 *= by;
@@ -221,13 +215,14 @@ LAG_ATTEMPT_INLINED void square_wide(const lag_attempt_arrays *at, const double 
 LAG_ATTEMPT_INLINED void square_one(const lag_attempt_arrays *at, const double *of_state, size_t lane, squares *to)
 {
     const size_t count = at->size * at->lanes;
-    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
     to->fifth[lane] = to->third[lane] = to->before[lane] = to->behind[lane] = 0.0;
     for (size_t i = 0; i < at->size; ++i) {
         const size_t entry = i * at->lanes + lane;
         const double by = 1.0 / of_state[i];
-        const double e5 = lag_added(count, &lag_dop853_fifth, at->slope, entry, 0.0) * by;
-        const double e3 = lag_added(count, step, at->slope, entry, lag_added(count, &lag_dop853_third, at->slope, entry, 0.0)) * by;
+        double e5, e3;
+        lag_estimates(count, at->slope, entry, &e5, &e3);
+        e5 *= by;
+        e3 *= by;
         const double x = at->x[entry] * by;
         const double x_new = at->x_new[entry] * by;
         to->fifth[lane] += e5 * e5;

@@ -271,6 +271,11 @@ static inline const lag_column_sums *lag_columns_sums(const lag_sensitivities *s
 {
     return s->of_blocks[block + 1 == s->columns.blocks];
 }
+/* The columns (size, lanes) of a block where the last step began. */
+static inline double *lag_columns_before(const lag_sensitivities *s, size_t size, size_t block)
+{
+    return s->columns.before + block * size * s->columns.lanes;
+}
 /* Entries (count) of one lane into the rows (count, lanes) of a block, or out of them. */
 static inline void lag_lane_put(size_t lanes, size_t lane, size_t count, const double *from, double *rows)
 {

@@ -24,12 +24,6 @@ static size_t count_of(const lag_sensitivities *s, const lag_run *run, size_t bl
     return run->stepper.ode->size * lag_columns_lanes(s, block);
 }
 
-/* The columns of a block where the step begins. */
-static const double *beginning(const lag_sensitivities *s, const lag_run *run, size_t block)
-{
-    return s->columns.before + block * run->stepper.ode->size * s->columns.lanes;
-}
-
 static double *slot(const lag_sensitivities *s, const lag_run *run, size_t block, size_t i)
 {
     return s->work.slopes + block * LAG_DOP853_SLOPES * run->stepper.ode->size * s->columns.lanes + i * count_of(s, run, block);
@@ -46,7 +40,7 @@ static void add_drift(const lag_sensitivities *s, const lag_run *run, size_t blo
 static void combine(const lag_sensitivities *s, const lag_run *run, size_t block, const double *part, double *to)
 {
     const size_t count = count_of(s, run, block);
-    memcpy(to, beginning(s, run, block), count * sizeof(double));
+    memcpy(to, lag_columns_before(s, run->stepper.ode->size, block), count * sizeof(double));
     for (size_t i = 0; i < STAGES; ++i) {
         if (part[i] != 0.0) {
             lag_axpy(count, part[i], slot(s, run, block, i), to);
@@ -165,7 +159,7 @@ static lag_status bend(lag_sensitivities *s, lag_run *run, const double *k)
         status = lag_columns_look(s, run, stepper->t_before, x, 0);
         for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
             const size_t count = count_of(s, run, block);
-            memcpy(s->work.point, beginning(s, run, block), count * sizeof(double));
+            memcpy(s->work.point, lag_columns_before(s, run->stepper.ode->size, block), count * sizeof(double));
             status = rates_along(s, run, block, stepper->t_before, x, s->work.rates);
             lag_axpy(count, weight, s->work.rates, slot(s, run, block, BENT));
         }
@@ -261,7 +255,7 @@ lag_status lag_columns_prepare_fixed(lag_sensitivities *s, lag_run *run)
 void lag_columns_fixed_dense(const lag_sensitivities *s, const lag_run *run, size_t block, double h, double part, double *to)
 {
     const size_t count = count_of(s, run, block);
-    const double *before = beginning(s, run, block);
+    const double *before = lag_columns_before(s, run->stepper.ode->size, block);
     const double *end = slot(s, run, block, END);
     const double *slope = slot(s, run, block, 0);
     const double *behind = slot(s, run, block, BEHIND);

@@ -21,7 +21,7 @@ static inline void move_to(const lag_sensitivities *s, const lag_run *run, size_
     const lag_model *model = run->motion.model;
     const size_t columns = block * s->columns.lanes; /* before those of the block */
     at->lanes = lag_columns_lanes(s, block);
-    at->x = s->columns.before + columns * at->size;
+    at->x = lag_columns_before(s, at->size, block);
     at->slope = s->work.slopes + columns * LAG_DOP853_SLOPES * at->size;
     at->x_new = s->columns.x + columns * (at->size + model->nu + model->np);
 }
@@ -231,7 +231,7 @@ static int return_to_beginning(lag_sensitivities *s, const lag_run *run)
     const int again = fabs(t - columns->t_before) < fabs(t - columns->t); /* over a corner time goes on by some roundings */
     for (size_t block = 0; block < columns->blocks; ++block) {
         double *now = columns->x + block * variables * columns->lanes;
-        double *before = columns->before + block * size_of(run) * columns->lanes;
+        double *before = lag_columns_before(s, size_of(run), block);
         memcpy(again ? now : before, again ? before : now, size_of(run) * lag_columns_lanes(s, block) * sizeof(double));
     }
     columns->t_before = t;
@@ -322,7 +322,7 @@ lag_status lag_columns_dense(lag_sensitivities *s, lag_run *run, size_t block, d
         return status;
     }
     if (status == LAG_OK) {
-        const double *before = s->columns.before + block * size_of(run) * s->columns.lanes;
+        const double *before = lag_columns_before(s, size_of(run), block);
         s->sums->interpolate(size_of(run) * lag_columns_lanes(s, block), terms_of(s, run, block), part, before, to);
     }
     return status;
