@@ -30,11 +30,9 @@
 
 #define find directional_find
 #define lay_out directional_lay_out
-#define residuals directional_residuals
 #include "lag/instance/directional.c"
 #undef find
 #undef lay_out
-#undef residuals
 
 #include "lag/instance/event_indicators.c"
 
@@ -42,33 +40,35 @@
 
 #include "lag/instance/exchange.c"
 
-#define refuse input_paths_refuse
-#include "lag/instance/input_paths.c"
-#undef refuse
-
-#include "lag/instance/input_polynomials.c"
+#include "lag/instance/inputs.c"
 
 #define lay_out instance_lay_out
+#define take instance_take
 #include "lag/instance/instance.c"
 #undef lay_out
+#undef take
 
+#define FAULTS instance_messages_FAULTS
+#define blamed instance_messages_blamed
 #define name_of instance_messages_name_of
 #include "lag/instance/instance_messages.c"
+#undef FAULTS
+#undef blamed
 #undef name_of
 
-#define token_of instance_serialization_token_of
 #include "lag/instance/instance_serialization.c"
-#undef token_of
 
+#define FAULTS instance_start_FAULTS
+#define blamed instance_start_blamed
 #define find instance_start_find
 #include "lag/instance/instance_start.c"
+#undef FAULTS
+#undef blamed
 #undef find
 
 #define find lazy_evaluation_find
-#define residuals lazy_evaluation_residuals
 #include "lag/instance/lazy_evaluation.c"
 #undef find
-#undef residuals
 
 #include "lag/instance/output_rates.c"
 
@@ -85,14 +85,14 @@
 #include "lag/shell/directional_derivatives.c"
 
 #define fault fmu_state_fault
-#define token_of fmu_state_token_of
 #include "lag/shell/fmu_state.c"
 #undef FORMAT
 #undef HASH_BEGIN
 #undef fault
-#undef token_of
 
+#define take handle_take
 #include "lag/shell/handle.c"
+#undef take
 
 #include "lag/shell/lifecycle.c"
 

@@ -29,19 +29,73 @@ static size_t longest(const lag_fmu *fmu)
     return count;
 }
 
-size_t lag_instance_kept(const lag_fmu *fmu)
+/* Memory that is laid out; where there is none, it is counted. */
+typedef struct room {
+    double *memory;
+    size_t count;
+} room;
+
+static double *take(room *of, size_t count)
 {
-    const lag_model *model = fmu->model;
-    return 3 * lag_motion_size(model) + 2 * model->np + (LAG_INPUT_ORDER + 3) * model->nu + 2 * lag_guard_count(fmu->model) +
-           fmu->dependents.count;
+    double *start = of->memory != NULL ? of->memory + of->count : NULL;
+    of->count += count;
+    return start;
 }
 
-static size_t doubles(const lag_fmu *fmu)
+static void lay_out(lag_instance *instance, room *of)
 {
-    const size_t size = lag_motion_size(fmu->model);
-    return lag_instance_kept(fmu) + 4 * size + longest(fmu) + lag_instance_indicator_count(fmu) +
-           fmu->model->ny + fmu->model->nd + fmu->model->nc + fmu->model->ni + fmu->model->na + fmu->model->nfail +
-           lag_initial_memory(fmu->model) + lag_fixed_memory(size) + lag_instance_slopes(fmu->model) + lag_derivatives_memory(fmu->model) + 1;
+    const lag_fmu *fmu = instance->fmu;
+    const lag_model *model = fmu->model;
+    const size_t size = lag_motion_size(model);
+    instance->kept = of->memory;
+    instance->x = take(of, size);
+    instance->p = take(of, model->np);
+    instance->starts.parameters = take(of, model->np);
+    instance->starts.values = take(of, size);
+    instance->starts.given = (unsigned char *)take(of, size);
+    instance->inputs.course = take(of, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->inputs.left = take(of, model->nu);
+    instance->inputs.given = (unsigned char *)take(of, model->nu);
+    instance->guards.latched = take(of, lag_guard_count(model));
+    instance->guards.armed = take(of, lag_guard_count(model));
+    instance->offsets = take(of, fmu->dependents.count);
+    instance->kept_count = of->count;
+    instance->values.g = take(of, lag_instance_indicator_count(fmu));
+    instance->values.xd = take(of, size);
+    instance->values.y = take(of, model->ny);
+    instance->values.local = take(of, model->nd);
+    instance->values.unasked = take(of, model->nc);
+    instance->scratch.point = take(of, size);
+    instance->scratch.tangent = take(of, size);
+    instance->scratch.entry = take(of, longest(fmu));
+    instance->scratch.fixed = take(of, lag_fixed_memory(size));
+    instance->scratch.slopes = take(of, lag_instance_slopes(model));
+    instance->invariant_limits = take(of, model->ni);
+    instance->warnings = take(of, model->na + model->nfail);
+}
+
+/* An instance that has no memory, to be counted. */
+static lag_instance counted(const lag_fmu *fmu, size_t *doubles)
+{
+    lag_instance none = {.fmu = fmu};
+    room of = {NULL, 0};
+    lay_out(&none, &of);
+    *doubles = of.count + lag_derivatives_memory(fmu->model);
+    return none;
+}
+
+size_t lag_instance_kept(const lag_fmu *fmu)
+{
+    size_t doubles = 0;
+    return counted(fmu, &doubles).kept_count;
+}
+
+/* Bytes up to those of the run. */
+static size_t own_size(const lag_fmu *fmu)
+{
+    size_t doubles = 0;
+    (void)counted(fmu, &doubles);
+    return lag_padded(sizeof(lag_instance)) + lag_padded(doubles * sizeof(double));
 }
 
 /* Remembers which `terminate` acted, and warnings. */
@@ -63,7 +117,7 @@ static lag_run_options options_of(lag_instance *instance)
     const lag_held *held = &instance->held;
     const double stop = held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop;
     const double length = stop - held->start;
-    lag_run_options options = lag_instance_plan();
+    lag_run_options options = lag_instance_plan(fmu);
     options.tolerance = held->integration;
     options.p = instance->p;
     options.callbacks = (lag_run_callbacks){.context = instance, .tell = record_event};
@@ -76,43 +130,29 @@ static lag_run_options options_of(lag_instance *instance)
 
 size_t lag_instance_size(const lag_fmu *fmu)
 {
-    const lag_run_options options = lag_instance_plan();
-    return lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)) + lag_run_size(fmu->model, &options);
+    const lag_run_options options = lag_instance_plan(fmu);
+    return own_size(fmu) + lag_run_size(fmu->model, &options);
 }
 
-static void lay_out(lag_instance *instance, double *memory)
+/* The arrays of all roles. */
+static void list_values(lag_instance *instance)
 {
-    const lag_fmu *fmu = instance->fmu;
-    const lag_model *model = fmu->model;
-    const size_t size = lag_motion_size(model);
-    instance->kept = memory;
-    instance->x = lag_take(&memory, size);
-    instance->p = lag_take(&memory, model->np);
-    instance->starts.parameters = lag_take(&memory, model->np);
-    instance->starts.values = lag_take(&memory, size);
-    instance->starts.given = lag_take(&memory, size);
-    instance->inputs.course = lag_take(&memory, (LAG_INPUT_ORDER + 1) * model->nu);
-    instance->inputs.given = lag_take(&memory, model->nu);
-    instance->inputs.left = lag_take(&memory, model->nu);
-    instance->guards.latched = lag_take(&memory, lag_guard_count(fmu->model));
-    instance->guards.armed = lag_take(&memory, lag_guard_count(fmu->model));
-    instance->offsets = lag_take(&memory, fmu->dependents.count);
-    instance->kept_count = (size_t)(memory - instance->kept);
-    instance->values.g = lag_take(&memory, lag_instance_indicator_count(fmu));
-    instance->values.xd = lag_take(&memory, size);
-    instance->values.y = lag_take(&memory, model->ny);
-    instance->values.local = lag_take(&memory, fmu->model->nd);
-    instance->values.unasked = lag_take(&memory, model->nc);
-    instance->scratch.point = lag_take(&memory, size);
-    instance->scratch.tangent = lag_take(&memory, size);
-    instance->scratch.entry = lag_take(&memory, longest(fmu));
-    instance->invariant_limits = lag_take(&memory, model->ni);
-    instance->warnings = lag_take(&memory, model->na + model->nfail);
-    instance->starts.written = (unsigned char *)lag_take(&memory, size);
-    instance->scratch.initial = lag_take(&memory, lag_initial_memory(model));
-    instance->scratch.fixed = lag_take(&memory, lag_fixed_memory(size));
-    instance->scratch.slopes = lag_take(&memory, lag_instance_slopes(model));
-    lag_derivatives_place(&instance->derivatives, model, memory);
+    lag_values *values = &instance->values;
+    const lag_motion *motion = &instance->run->motion;
+    values->of[LAG_ROLE_TIME] = &instance->held.t;
+    values->of[LAG_ROLE_PARAMETER] = instance->p;
+    values->of[LAG_ROLE_CONSTANT] = instance->fmu->constants.numbers;
+    values->of[LAG_ROLE_STATE] = values->of[LAG_ROLE_DEPENDENT] = instance->x;
+    values->of[LAG_ROLE_DERIVATIVE] = values->xd;
+    values->of[LAG_ROLE_INPUT] = motion->u;
+    values->of[LAG_ROLE_OUTPUT] = values->y;
+    values->of[LAG_ROLE_LOCAL] = values->local;
+    values->of[LAG_ROLE_DISCRETE] = motion->w;
+    values->of[LAG_ROLE_MULTIPLIER] = motion->lam;
+    values->of[LAG_ROLE_INDICATOR] = values->g;
+    values->of[LAG_ROLE_ENERGY] = values->energy;
+    values->of[LAG_ROLE_RESIDUAL] = values->residual;
+    values->of[LAG_ROLE_OPTION] = &instance->held.step;
 }
 
 lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
@@ -120,10 +160,13 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     const lag_model *model = fmu->model;
     char *bytes = block;
     lag_instance *instance = block;
-    memset(block, 0, lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)));
+    const size_t size = own_size(fmu);
+    room of = {(double *)(void *)(bytes + lag_padded(sizeof(lag_instance))), 0};
+    memset(block, 0, size);
     instance->fmu = fmu;
-    lay_out(instance, (double *)(void *)(bytes + lag_padded(sizeof(lag_instance))));
-    instance->run = (lag_run *)(void *)(bytes + lag_padded(sizeof(lag_instance)) + lag_padded(doubles(fmu) * sizeof(double)));
+    lay_out(instance, &of);
+    lag_derivatives_place(&instance->derivatives, model, take(&of, lag_derivatives_memory(model)));
+    instance->run = (lag_run *)(void *)(bytes + size);
     instance->held.start = instance->held.t = fmu->experiment.start;
     instance->held.stop = (double)INFINITY;
     instance->held.tolerance = instance->held.integration = fmu->experiment.tolerance;
@@ -132,6 +175,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
         memcpy(instance->starts.parameters, model->defaults, model->np * sizeof(double));
     }
     lag_instance_renew(instance);
+    list_values(instance);
     return instance;
 }
 

@@ -6,6 +6,7 @@
 #define LAG_PARTS_H
 
 #include "lag/derivatives.h"
+#include "lag/initial.h"
 #include "lag/instance/instance.h"
 #include "lag/run.h"
 
@@ -27,17 +28,21 @@ typedef enum lag_phase {
     LAG_PHASE_MOTION
 } lag_phase;
 
-/* Values that are known at the present state: one bit each. */
+enum { LAG_ROLES = LAG_ROLE_CLOCK + 1 };
+
+/* Values that follow from the present state: one bit for each role, where they are known. */
 enum {
-    LAG_KNOWN_MOTION = 1,    /* accelerations and multipliers of the model, in run->motion */
-    LAG_KNOWN_RATES = 2,     /* derivatives, those of rates pulled towards the constraints */
-    LAG_KNOWN_OUTPUTS = 4,
-    LAG_KNOWN_LOCALS = 8,
-    LAG_KNOWN_ENERGIES = 16,
-    LAG_KNOWN_RESIDUALS = 32,
-    LAG_KNOWN_INDICATORS = 64,
-    LAG_KNOWN_DERIVATIVES = 128, /* what derivatives need, in `derivatives`, */
-    LAG_KNOWN_PULLED = 256       /* or what those of pulled accelerations do */
+    LAG_KNOWN_MOTION = 1 << LAG_ROLE_MULTIPLIER, /* multipliers and accelerations of the model, in run->motion */
+    LAG_KNOWN_RATES = 1 << LAG_ROLE_DERIVATIVE,  /* those of rates are pulled towards the constraints */
+    LAG_KNOWN_OUTPUTS = 1 << LAG_ROLE_OUTPUT,
+    LAG_KNOWN_LOCALS = 1 << LAG_ROLE_LOCAL,
+    LAG_KNOWN_INDICATORS = 1 << LAG_ROLE_INDICATOR,
+    LAG_KNOWN_ENERGIES = 1 << LAG_ROLE_ENERGY,
+    LAG_KNOWN_RESIDUALS = 1 << LAG_ROLE_RESIDUAL,
+    LAG_FOLLOWING = LAG_KNOWN_MOTION | LAG_KNOWN_RATES | LAG_KNOWN_OUTPUTS | LAG_KNOWN_LOCALS | LAG_KNOWN_INDICATORS |
+                    LAG_KNOWN_ENERGIES | LAG_KNOWN_RESIDUALS,
+    LAG_KNOWN_DERIVATIVES = 1 << LAG_ROLES,      /* what derivatives need, in `derivatives`, */
+    LAG_KNOWN_PULLED = 2 << LAG_ROLES            /* or what those of pulled accelerations do */
 };
 
 typedef struct lag_held {
@@ -64,15 +69,15 @@ typedef struct lag_held {
 
 /* Values that importers set until initialization ends. */
 typedef struct lag_starts {
-    double *values, *given; /* (2 nq + nz) start values that were set, and flags: this one was */
-    double *parameters;     /* (np) free ones are searched from these */
-    unsigned char *written; /* (2 nq + nz) 1: this start was set */
+    double *values;       /* (2 nq + nz) start values that were set, */
+    unsigned char *given; /* and flags: this one was */
+    double *parameters;   /* (np) free ones are searched from these */
 } lag_starts;
 
 typedef struct lag_input_courses {
-    double *course; /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
-    double *given;  /* (nu) flags: this one was set */
-    double *left;   /* (nu) inputs on the left of the present, before any was set there */
+    double *course;       /* (LAG_INPUT_ORDER + 1, nu) inputs at `about` and their derivatives */
+    double *left;         /* (nu) inputs on the left of the present, before any was set there */
+    unsigned char *given; /* (nu) flags: this one was set */
 } lag_input_courses;
 
 /* Of event indicators. */
@@ -81,10 +86,11 @@ typedef struct lag_dead_bands {
     double *armed;   /* (guards) time from which on it is armed; infinite: not yet */
 } lag_dead_bands;
 
-/* Values that follow from the present state, as far as they are known. */
+/* Values of variables; those that follow from the present state as far as they are known. */
 typedef struct lag_values {
     unsigned known;
-    double *xd, *y, *local, *g; /* (2 nq + nz) (ny) (nd) (indicators) */
+    const double *of[LAG_ROLES]; /* arrays of all roles but clocks */
+    double *xd, *y, *local, *g;  /* (2 nq + nz) (ny) (nd) (indicators) */
     double *unasked;            /* (nc) multipliers of accelerations that are pulled */
     double energy[4], residual[2];
     double slip;                /* the largest residual of rates, each as a part of the rates of its component */
@@ -94,7 +100,7 @@ typedef struct lag_values {
 typedef struct lag_instance_scratch {
     double *point, *tangent; /* (2 nq + nz) */
     double *entry;           /* as many as the longest variable has */
-    double *initial, *fixed; /* lag_initial_memory() lag_fixed_memory() */
+    double *fixed;           /* lag_fixed_memory() */
     double *slopes;          /* lag_instance_slopes() */
 } lag_instance_scratch;
 
@@ -125,9 +131,9 @@ static inline size_t lag_instance_order(const lag_instance *instance)
 }
 
 /* Options that determine the size of a run. */
-static inline lag_run_options lag_instance_plan(void)
+static inline lag_run_options lag_instance_plan(const lag_fmu *fmu)
 {
-    return (lag_run_options){.careful = 1};
+    return (lag_run_options){.careful = 1, .start = fmu->start};
 }
 
 /* ---- instance.c ---- */
@@ -163,12 +169,14 @@ void lag_instance_note_stop(lag_instance *instance, lag_status status);
 
 /* In the start phase: the state that follows from what was set, with what happens there. */
 lag_status lag_instance_begin_at(lag_instance *instance);
+/* The start into x (2 nq + nz), so far `along` the direction in `derivatives`, from the parameters told->p (np); inputs of the run are those there. */
+lag_status lag_instance_find_start(lag_instance *instance, double along, double *x, lag_initial *told);
 
 /* ---- lazy_evaluation.c ---- */
 
 /* Functions know the parameters, states follow from the starts. */
 lag_status lag_instance_ready(lag_instance *instance);
-/* Lets all of these be known. */
+/* Lets this be known, one of the bits above. */
 lag_status lag_instance_evaluate(lag_instance *instance, unsigned what);
 /* LAG_VIOLATED: an assertion does not hold at x at time t. */
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
@@ -192,20 +200,18 @@ size_t lag_instance_slopes(const lag_model *model);
 lag_status lag_instance_start_slopes(lag_instance *instance);
 size_t lag_instance_start_slopes_memory(const lag_model *model);
 
-/* ---- input_polynomials.c ---- */
+/* ---- inputs.c ---- */
 
 /* The inputs at time t, into u. */
 void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
 /* The course of the inputs about t, so that their values can be set there. */
 void lag_instance_inputs_about(lag_instance *instance, double t);
-/* Values of so many inputs at the present. */
-void lag_instance_set_inputs(lag_instance *instance, size_t first, size_t count, const double *values);
+/* Derivative number `order` of so many inputs at the present; 0: their values. */
+void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first, size_t count, const double *values);
 /* Inputs whose derivatives are inputs, too, go as these say. */
 void lag_instance_chain_inputs(lag_instance *instance);
 /* The run knows the inputs. */
 void lag_instance_set_run_inputs(lag_instance *instance);
-
-/* ---- input_paths.c ---- */
 
 /* LAG_POSITION_JUMP: an input that may not jump is off its derivatives, from what it was on the left of the present. */
 lag_status lag_instance_follow_inputs(lag_instance *instance);

@@ -30,19 +30,7 @@ void lag_instance_note_stop(lag_instance *instance, lag_status status)
         i < model->nstop ? model->stops[i] : "the model ends the simulation");
 }
 
-static const char *name_of(size_t count, const lag_slot *slots, size_t which)
-{
-    return which < count ? slots[which].name : "the model";
-}
-
-/* The first discrete that an event could not settle. */
-static const char *unsettled_discrete(const lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    return name_of(model->nw, model->discretes, lag_first(model->nw, instance->run->instants.iteration.discretes.guilty));
-}
-
-/* Name of the state that has placed a mass elsewhere, as a clause has set it, else of the first discrete that has changed. */
+/* Name of the state that has placed a mass elsewhere, as a clause has set it; null: no clause has. */
 static const char *displacing(const lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
@@ -53,83 +41,81 @@ static const char *displacing(const lag_instance *instance)
             return model->resets[i];
         }
     }
-    return unsettled_discrete(instance);
+    return NULL;
 }
 
-/* The first assertion that does not hold where the run looked last. */
-static const char *broken(const lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    size_t i = 0;
-    while (i < model->na && instance->run->conditions.held[i] != 0.0) {
-        ++i;
-    }
-    return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
-}
-
-/* Faults of nothing that has a name; null: the others. */
-static const char *const PLAIN[] = {
-    [LAG_NOT_FINITE] = "a value is infinite or not a number",
-    [LAG_MISSING] = "a function is missing",
-    [LAG_EVENT_PENDING] = "an event is left",
-    [LAG_BAD_STATE_DATA] = "these bytes are no state of this FMU",
-    [LAG_STEP_TOO_SMALL] = "steps became as short as the round-off of time",
-    [LAG_PROJECTION_FAILED] = "the constraints cannot be reached from here",
-    [LAG_ATTENTION] = "the constraints are about to lose rank",
-    [LAG_BRANCH_POINT] = "branches of the motion meet, and the equations do not determine the branch",
-    [LAG_POSITION_JUMP] = "a constraint becomes active, but the current position violates it",
-    [LAG_BAD_CLOCK] = "a clock has no positive period, or no first instant",
-    [LAG_BAD_DELAY] = "a delay is not positive",
-    [LAG_LONG_PAST] = "the past of a delayed value has too many events",
-    [LAG_TOO_LONG] = "this takes too many steps",
-};
-
-/* A sentence about a fault, and in its middle the name of what is to blame. */
-typedef struct words {
-    const char *before, *name, *after;
-} words;
-
-/* The rows of friction, into `rows`. */
-static const char *wedging(const lag_model *model, char *rows, size_t size)
+/* The rows of friction, into `names`. */
+static const char *frictions(const lag_model *model, char *names)
 {
     size_t length = 0;
-    for (size_t k = 0; k < model->nslip && length < size; ++k) {
-        const char *name = name_of(model->nc, model->constraints, model->friction_rows[k]);
-        length += (size_t)snprintf(rows + length, size - length, "%s%s", k > 0 ? ", " : "", name);
+    for (size_t k = 0; k < model->nslip && length < LAG_MESSAGE; ++k) {
+        const char *name = model->constraints[model->friction_rows[k]].name;
+        length += (size_t)snprintf(names + length, LAG_MESSAGE - length, "%s%s", k > 0 ? ", " : "", name);
     }
-    return rows;
+    return names;
 }
 
-static words words_of(const lag_instance *instance, lag_status status, char *rows)
+typedef enum blamed { NOBODY, COORDINATE, DISCRETE, DISPLACING, RESET, FAILURE, ASSERTION, FRICTIONS } blamed;
+
+static const struct {
+    blamed who;
+    const char *words; /* with the name in them */
+} FAULTS[] = {
+    [LAG_SINGULAR] = {COORDINATE, "the acceleration of %s is not determined"},
+    [LAG_NOT_FINITE] = {NOBODY, "a value is infinite or not a number"},
+    [LAG_MISSING] = {NOBODY, "a function is missing"},
+    [LAG_STEP_TOO_SMALL] = {NOBODY, "steps became as short as the round-off of time"},
+    [LAG_TOO_LONG] = {NOBODY, "this takes too many steps"},
+    [LAG_PROJECTION_FAILED] = {NOBODY, "the constraints cannot be reached from here"},
+    [LAG_ATTENTION] = {NOBODY, "the constraints are about to lose rank"},
+    [LAG_VIOLATED] = {ASSERTION, "%s"},
+    [LAG_CHATTER] = {DISCRETE, "events of %s accumulate"},
+    [LAG_EVENT_PENDING] = {NOBODY, "an event is left"},
+    [LAG_EVENT_ITERATION_FAILED] = {DISCRETE, "event iteration did not converge; still changing: %s"},
+    [LAG_CONFLICT] = {RESET, "two clauses reset %s to different values"},
+    [LAG_ASSERTION_FAILED] = {FAILURE, "%s"},
+    [LAG_PENETRATION] = {DISCRETE, "the gap of %s is negative"},
+    [LAG_POSITION_JUMP] = {NOBODY, "a constraint becomes active, but the current position violates it"},
+    [LAG_BRANCH_POINT] = {NOBODY, "branches of the motion meet, and the equations do not determine the branch"},
+    [LAG_BAD_STATE_DATA] = {NOBODY, "these bytes are no state of this FMU"},
+    [LAG_BAD_CLOCK] = {NOBODY, "a clock has no positive period, or no first instant"},
+    [LAG_WAY_JUMP] = {DISPLACING, "the position of a mass would jump with %s"},
+    [LAG_MOMENTUM_UNREACHABLE] = {COORDINATE, "no rate of %s has the momentum or the energy that the event leaves"},
+    [LAG_NO_FORCES] = {FRICTIONS, "no forces satisfy the law of friction of %s: it wedges"},
+    [LAG_BAD_DELAY] = {NOBODY, "a delay is not positive"},
+    [LAG_LONG_PAST] = {NOBODY, "the past of a delayed value has too many events"},
+};
+
+/* `room` (LAG_MESSAGE) is for a list of names. Discretes are those that an event could not settle, assertions those that the run looked at last. */
+static const char *name_of(const lag_instance *instance, blamed who, char *room)
 {
     const lag_model *model = instance->fmu->model;
     const lag_run *run = instance->run;
-    const size_t fault = run->instants.iteration.clauses.fault;
-    const char *coordinate = name_of(model->nq, model->coordinates, run->motion.coordinate);
-    switch (status) {
-    case LAG_SINGULAR:
-        return (words){"the acceleration of ", coordinate, " is not determined"};
-    case LAG_MOMENTUM_UNREACHABLE:
-        return (words){"no rate of ", coordinate, " has the momentum or the energy that the event leaves"};
-    case LAG_VIOLATED:
-        return (words){"", broken(instance), ""};
-    case LAG_CHATTER:
-        return (words){"events of ", unsettled_discrete(instance), " accumulate"};
-    case LAG_EVENT_ITERATION_FAILED:
-        return (words){"event iteration did not converge; still changing: ", unsettled_discrete(instance), ""};
-    case LAG_CONFLICT:
-        return (words){"two clauses reset ", fault < model->nreset ? model->resets[fault] : "a state", " to different values"};
-    case LAG_ASSERTION_FAILED:
-        return (words){"", fault < model->nfail ? model->failures[fault] : "an assertion failed", ""};
-    case LAG_PENETRATION:
-        return (words){"the gap of ", unsettled_discrete(instance), " is negative"};
-    case LAG_WAY_JUMP:
-        return (words){"the position of a mass would jump with ", displacing(instance), ""};
-    case LAG_NO_FORCES:
-        return (words){"no forces satisfy the law of friction of ", wedging(model, rows, LAG_MESSAGE), ": it wedges"};
-    default:
-        return (words){PLAIN[status], "", ""};
+    const size_t clause = run->instants.iteration.clauses.fault;
+    const size_t discrete = lag_first(model->nw, run->instants.iteration.discretes.guilty);
+    const char *displaced = who == DISPLACING ? displacing(instance) : NULL;
+    size_t i = 0;
+    switch (who) {
+    case COORDINATE:
+        return run->motion.coordinate < model->nq ? model->coordinates[run->motion.coordinate].name : "the model";
+    case DISPLACING:
+    case DISCRETE:
+        return displaced != NULL ? displaced : discrete < model->nw ? model->discretes[discrete].name : "the model";
+    case RESET:
+        return clause < model->nreset ? model->resets[clause] : "a state";
+    case FAILURE:
+        return clause < model->nfail ? model->failures[clause] : "an assertion failed";
+    case ASSERTION:
+        while (i < model->na && run->conditions.held[i] != 0.0) {
+            ++i;
+        }
+        return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
+    case FRICTIONS:
+        return frictions(model, room);
+    case NOBODY:
+        break;
     }
+    return "";
 }
 
 const char *lag_instance_warning(lag_instance *instance)
@@ -145,12 +131,13 @@ const char *lag_instance_warning(lag_instance *instance)
 
 lag_status lag_instance_judge(lag_instance *instance, lag_status status)
 {
-    char rows[LAG_MESSAGE] = "";
+    char room[LAG_MESSAGE] = "";
+    char told[LAG_MESSAGE];
     if (status == LAG_OK || status == LAG_STOPPED) {
         return status;
     }
-    const words told = words_of(instance, status, rows);
-    return lag_instance_fail(instance, status, "t = %.10g s: %s%s%s", instance->held.t, told.before, told.name, told.after);
+    (void)snprintf(told, sizeof told, FAULTS[status].words, name_of(instance, FAULTS[status].who, room));
+    return lag_instance_fail(instance, status, "t = %.10g s: %s", instance->held.t, told);
 }
 
 lag_status lag_instance_give_up(lag_instance *instance)

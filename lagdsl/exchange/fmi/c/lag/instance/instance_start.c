@@ -13,117 +13,110 @@ int lag_instance_is_free(const lag_instance *instance, const lag_variable *varia
     return variable->role == LAG_ROLE_PARAMETER && free != NULL && free[variable->first] != 0;
 }
 
-/* True if every value that the start depends on is as it was at export. Free parameters are searched anew. */
-static int as_exported(const lag_instance *instance)
+/* True if every value that the start depends on is as it was at export; `own`: inputs are. Free parameters are searched anew. */
+static int as_exported(const lag_instance *instance, int own)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
-    const double *u = instance->run->motion.u;
-    int same = fmu->start->x != NULL && fmu->start->free == NULL && fmu->start->t == instance->held.t;
+    int same = fmu->start->x != NULL && fmu->start->free == NULL && fmu->start->t == instance->held.t && (own || model->nc + model->ne == 0);
     for (size_t i = 0; i < model->np && same; ++i) {
         same = instance->p[i] == model->defaults[i];
     }
     for (size_t i = 0; i < lag_motion_size(model) && same; ++i) {
-        same = instance->starts.given[i] == 0.0 || instance->starts.values[i] == fmu->start->x[i];
-    }
-    for (size_t i = 0; i < model->nu && same && model->nc + model->ne > 0; ++i) {
-        same = instance->inputs.course[i] == u[i];
+        same = !instance->starts.given[i] || instance->starts.values[i] == fmu->start->x[i];
     }
     return same;
 }
 
-/* Start values of states, and of inputs, that were not set are those of the model; `motion->u` are its own. */
-static lag_status gather(lag_instance *instance)
+/*
+ * Start values into x, and inputs of the run, so far `along` the direction in `derivatives`: those that were not set are those of the model. *own: all
+ * inputs are.
+ */
+static lag_status gather(lag_instance *instance, double along, double *x, int *own)
 {
     const lag_model *model = instance->fmu->model;
-    lag_motion *motion = &instance->run->motion;
-    const lag_status status = lag_motion_start(motion, instance->held.t, instance->x);
-    for (size_t i = 0; i < lag_motion_size(model); ++i) {
-        instance->x[i] = instance->starts.given[i] != 0.0 ? instance->starts.values[i] : instance->x[i];
+    const lag_derivatives *d = &instance->derivatives;
+    const size_t size = lag_motion_size(model);
+    double *u = instance->run->motion.u;
+    const lag_status status = lag_motion_start(&instance->run->motion, instance->held.t + along * d->time, x);
+    for (size_t i = 0; i < size; ++i) {
+        x[i] = (instance->starts.given[i] ? instance->starts.values[i] : x[i]) + along * d->x[i];
     }
     for (size_t i = 0; i < model->nu; ++i) {
-        instance->inputs.course[i] = instance->inputs.given[i] != 0.0 ? instance->inputs.course[i] : motion->u[i];
+        const double value = instance->inputs.given[i] ? instance->inputs.course[i] + along * d->x[size + i] : u[i];
+        *own = *own && value == u[i];
+        u[i] = value;
     }
     return status;
 }
 
-/* Why there is no start. */
-static lag_status explain(lag_instance *instance, lag_status status, const lag_initial *told)
+/* The entry of the start that is to blame. */
+static const char *blamed(const lag_model *model, const lag_initial *told)
 {
-    const lag_model *model = instance->fmu->model;
-    const size_t states = 2 * model->nq + model->nz;
+    const size_t states = told->fault == LAG_INITIAL_NUMBERS ? lag_motion_size(model) : 0;
     const size_t i = told->which;
-    switch (told->fault) {
-    case LAG_INITIAL_NUMBERS:
-        return lag_instance_fail(instance, status, "start: %s is no number with these start values and parameters",
-            i < model->nq ? model->coordinates[i].name
-                : i < 2 * model->nq ? model->coordinates[i - model->nq].name
-                : i < states ? model->states[i - 2 * model->nq].name
-                : i - states < model->nc ? model->constraints[i - states].name : "a constraint");
-    case LAG_INITIAL_POSITIONS:
-        return lag_instance_fail(instance, status, "start: %s cannot be satisfied with these start values and parameters (%g is left)",
-            i < model->nc ? model->constraints[i].name : "a constraint", told->residual);
-    case LAG_INITIAL_RATES:
-        return lag_instance_fail(instance, status, "start: the rate of %s cannot be what it has to be (%g is left)",
-            i < model->nc ? model->constraints[i].name : model->coordinates[i - model->nc].name, told->residual);
-    case LAG_INITIAL_EQUATIONS:
-        return lag_instance_fail(instance, status, "start: %s cannot be satisfied (%g is left)",
-            i < model->nc ? model->constraints[i].name : "an initial equation", told->residual);
-    case LAG_INITIAL_RANK:
-        return lag_instance_fail(instance, status, "start: with these parameters more constraints are independent than when it was exported");
-    case LAG_INITIAL_SIZES:
-        return lag_instance_fail(instance, status, "start: with these parameters the equations of %s are %.0e times as large as those beside them; export it with these parameters",
-            model->constraints[i].name, told->residual);
-    case LAG_INITIAL_PARAMETERS:
-        return lag_instance_fail(instance, status, "start: no initial equation decides the parameter %s", model->parameters[i].name);
-    case LAG_INITIAL_BOUNDS:
-        return lag_instance_fail(instance, status, "start: %s would be %g, which is beyond its bounds", model->parameters[i].name, told->residual);
-    case LAG_INITIAL_NONE:
-        break;
+    const size_t row = i - states;
+    if (told->fault == LAG_INITIAL_PARAMETERS || told->fault == LAG_INITIAL_BOUNDS) {
+        return model->parameters[i].name;
     }
-    return lag_instance_judge(instance, status);
+    if (i < states) {
+        return i < 2 * model->nq ? model->coordinates[i % model->nq].name : model->states[i - 2 * model->nq].name;
+    }
+    if (row < model->nc) {
+        return model->constraints[row].name;
+    }
+    return told->fault == LAG_INITIAL_RATES ? model->coordinates[row - model->nc].name : "an initial equation";
 }
 
-/* The nearest state that the model allows, into x; without constraints and equations the start values are. */
-static lag_status nearest(lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    lag_run *run = instance->run;
-    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
-    if (model->nc + model->ne == 0) {
-        return LAG_OK;
-    }
-    for (size_t i = 0; i < lag_instance_order(instance); ++i) {
-        instance->starts.written[i] = instance->starts.given[i] != 0.0;
-    }
-    const lag_status status = lag_initial_find(
-        &run->motion, instance->fmu->start, instance->starts.written, instance->held.t, instance->x, instance->scratch.initial, &told);
-    lag_run_depend(run, run->ranks.dependent);
-    return status == LAG_OK ? status : explain(instance, status, &told);
-}
+/* Reasons why there is no start, with the name and the number that are told. */
+static const char *const FAULTS[] = {
+    [LAG_INITIAL_NUMBERS] = "start: %s is no number with these start values and parameters",
+    [LAG_INITIAL_POSITIONS] = "start: %s cannot be satisfied with these start values and parameters (%g is left)",
+    [LAG_INITIAL_RATES] = "start: the rate of %s cannot be what it has to be (%g is left)",
+    [LAG_INITIAL_EQUATIONS] = "start: %s cannot be satisfied (%g is left)",
+    [LAG_INITIAL_RANK] = "start: with these parameters more constraints are independent than when it was exported",
+    [LAG_INITIAL_SIZES] = "start: with these parameters the equations of %s are %.0e times as large as those beside them; export it with these parameters",
+    [LAG_INITIAL_PARAMETERS] = "start: no initial equation decides the parameter %s",
+    [LAG_INITIAL_BOUNDS] = "start: %s would be %g, which is beyond its bounds",
+};
 
-/* The state at which the motion begins, into x. */
-static lag_status find(lag_instance *instance)
+lag_status lag_instance_find_start(lag_instance *instance, double along, double *x, lag_initial *told)
 {
+    const lag_fmu *fmu = instance->fmu;
     lag_run *run = instance->run;
-    const unsigned char *free = instance->fmu->start->free;
-    for (size_t i = 0; i < instance->fmu->model->np && free != NULL; ++i) {
-        instance->p[i] = instance->starts.parameters[i];
-    }
-    lag_status status = lag_motion_parameters(&run->motion, instance->p);
-    if (status == LAG_OK) {
-        status = gather(instance);
-    }
-    const int exported = status == LAG_OK && as_exported(instance);
-    lag_instance_set_run_inputs(instance);
+    int own = 1;
+    run->motion.inputs = NULL; /* they are constant here */
+    lag_status status = lag_motion_parameters(&run->motion, told->p);
+    status = status == LAG_OK ? gather(instance, along, x, &own) : status;
     if (status != LAG_OK) {
         return lag_instance_judge(instance, status);
     }
-    if (exported) {
-        memcpy(instance->x, instance->fmu->start->x, lag_instance_order(instance) * sizeof(double));
-    } else {
-        status = nearest(instance);
+    if (along == 0.0 && as_exported(instance, own)) {
+        memcpy(x, fmu->start->x, lag_instance_order(instance) * sizeof(double));
+    } else if (fmu->model->nc + fmu->model->ne > 0) {
+        status = lag_run_find(run, instance->held.t + along * instance->derivatives.time, instance->starts.given, x, told);
     }
+    if (told->fault == LAG_INITIAL_NONE) {
+        return lag_instance_judge(instance, status);
+    }
+    return lag_instance_fail(instance, status, FAULTS[told->fault], blamed(fmu->model, told), told->residual);
+}
+
+/* The state at which the motion begins, into x, with inputs and free parameters. */
+static lag_status find(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    const lag_model *model = instance->fmu->model;
+    const unsigned char *free = instance->fmu->start->free;
+    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
+    for (size_t i = 0; i < model->np && free != NULL; ++i) {
+        instance->p[i] = instance->starts.parameters[i];
+    }
+    const lag_status status = lag_instance_find_start(instance, 0.0, instance->x, &told);
+    for (size_t i = 0; i < model->nu; ++i) {
+        instance->inputs.course[i] = run->motion.u[i];
+    }
+    lag_instance_set_run_inputs(instance);
     return status == LAG_OK ? lag_instance_judge(instance, lag_run_move(run, instance->held.t, instance->x, 0.0)) : status;
 }
 

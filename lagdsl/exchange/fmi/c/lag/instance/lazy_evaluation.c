@@ -112,53 +112,32 @@ static lag_status find(lag_instance *instance, unsigned what)
         return residuals(instance);
     case LAG_KNOWN_INDICATORS:
         return lag_instance_find_indicators(instance);
-    case LAG_KNOWN_DERIVATIVES:
-        return lag_derivatives_look(&instance->derivatives, &motion->at, 0.0, &motion->coordinate);
-    case LAG_KNOWN_PULLED:
-        return lag_derivatives_look(&instance->derivatives, &motion->at, lag_instance_rate(instance), &motion->coordinate);
     default:
-        return LAG_MISSING;
+        return lag_derivatives_look(&instance->derivatives, &motion->at, what == LAG_KNOWN_PULLED ? lag_instance_rate(instance) : 0.0, &motion->coordinate);
     }
 }
 
-/* Values to compute for `what`: stabilized accelerations need the plain ones only where loads follow from these. */
-static unsigned with_accelerations(const lag_instance *instance, unsigned what)
+/* `what` is known from now on. Indicators have accelerations of their own, and only one kind of derivatives is kept. */
+static lag_status let_know(lag_instance *instance, unsigned what)
 {
-    const lag_model *model = instance->fmu->model;
-    return what == LAG_KNOWN_RATES && model->nc > 0 && model->nz + model->nload == 0 ? what : what | LAG_KNOWN_MOTION;
-}
-
-/*
- * Values that computing `what` invalidates: indicators need accelerations of their own, and only one kind of derivatives is
- * kept.
- */
-static unsigned invalidated_by(unsigned what)
-{
-    switch (what) {
-    case LAG_KNOWN_INDICATORS:
-        return LAG_KNOWN_MOTION;
-    case LAG_KNOWN_DERIVATIVES:
-        return LAG_KNOWN_PULLED;
-    case LAG_KNOWN_PULLED:
-        return LAG_KNOWN_DERIVATIVES;
-    default:
-        return 0;
-    }
+    const unsigned kinds = LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
+    const lag_status status = lag_instance_judge(instance, find(instance, what));
+    instance->values.known &= ~(what == LAG_KNOWN_INDICATORS ? LAG_KNOWN_MOTION : (what & kinds) != 0 ? kinds : 0);
+    instance->values.known |= status == LAG_OK ? what : 0;
+    return status;
 }
 
 lag_status lag_instance_evaluate(lag_instance *instance, unsigned what)
 {
+    const lag_model *model = instance->fmu->model;
+    const unsigned *known = &instance->values.known;
     lag_status status = lag_instance_ready(instance);
-    unsigned missing = with_accelerations(instance, what) & ~instance->values.known;
-    for (unsigned bit = LAG_KNOWN_MOTION; missing != 0 && status == LAG_OK; bit <<= 1) {
-        if ((missing & bit) != 0) {
-            status = lag_instance_judge(instance, find(instance, bit));
-            instance->values.known |= status == LAG_OK ? bit : 0;
-            instance->values.known &= ~invalidated_by(bit);
-            missing &= ~bit;
-        }
+    /* pulled accelerations need those of the model only where loads follow from these */
+    const int needs_motion = what != LAG_KNOWN_RATES || model->nc == 0 || model->nz + model->nload > 0;
+    if (status == LAG_OK && (*known & what) == 0 && needs_motion && (*known & LAG_KNOWN_MOTION) == 0) {
+        status = let_know(instance, LAG_KNOWN_MOTION);
     }
-    return status;
+    return status == LAG_OK && (*known & what) == 0 ? let_know(instance, what) : status;
 }
 
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)

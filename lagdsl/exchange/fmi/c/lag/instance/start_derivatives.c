@@ -29,68 +29,41 @@ static double most_of(size_t count, const double *direction, const double *value
     return most;
 }
 
-/* The start (2 nq + nz) so far along the direction, with the inputs u (nu) there, and the parameters (np). */
-static lag_status search(lag_instance *instance, double along, const double *u, double *x, double *p)
-{
-    const lag_model *model = instance->fmu->model;
-    const lag_derivatives *d = &instance->derivatives;
-    lag_motion *motion = &instance->run->motion;
-    const size_t size = lag_motion_size(model);
-    const double t = instance->held.t + along * d->time;
-    lag_initial told = {.p = p};
-    memcpy(p, instance->p, model->np * sizeof(double));
-    lag_axpy(model->np, along, d->x + size + model->nu, p);
-    lag_status status = lag_motion_parameters(motion, p);
-    if (status == LAG_OK) {
-        status = lag_motion_start(motion, t, x);
-    }
-    for (size_t i = 0; i < size; ++i) {
-        x[i] = (instance->starts.given[i] != 0.0 ? instance->starts.values[i] : x[i]) + along * d->x[i];
-    }
-    memcpy(motion->u, u, model->nu * sizeof(double));
-    lag_axpy(model->nu, along, d->x + size, motion->u);
-    const int searched = status == LAG_OK && model->nc + model->ne > 0;
-    return searched ? lag_initial_find(motion, instance->fmu->start, instance->starts.written, t, x, instance->scratch.initial, &told) : status;
-}
-
 lag_status lag_instance_start_slopes(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
-    lag_inputs *const inputs = motion->inputs;
-    double *direction = instance->derivatives.x;
+    const unsigned char *free = instance->fmu->start->free;
     const size_t size = lag_motion_size(model);
+    double *direction = instance->derivatives.x;
+    double *of_inputs = direction + size;
+    double *of_parameters = of_inputs + model->nu;
     double *memory = instance->scratch.slopes;
-    double *u = lag_take(&memory, model->nu);
     double *w = lag_take(&memory, model->nw);
     double *x = lag_take(&memory, size);
     double *p = lag_take(&memory, model->np);
     double *slope = lag_take(&memory, size + model->np);
-    memcpy(u, motion->u, model->nu * sizeof(double));
     memcpy(w, motion->w, model->nw * sizeof(double));
     lag_fill(size + model->np, 0.0, slope);
-    for (size_t i = 0; i < size; ++i) {
-        instance->starts.written[i] = instance->starts.given[i] != 0.0;
-    }
-    const double time = most_of(1, &instance->derivatives.time, &instance->held.t, 1.0);
-    const double states = fmax(time, most_of(size, direction, instance->x, SMALLEST));
-    const double set = fmax(most_of(model->nu, direction + size, u, SMALLEST), most_of(model->np, direction + size + model->nu, instance->p, SMALLEST));
-    const double h = LAG_DISTANCE / fmax(states, set);
+    double most = fmax(most_of(1, &instance->derivatives.time, &instance->held.t, 1.0), most_of(size, direction, instance->x, SMALLEST));
+    most = fmax(most, most_of(model->nu, of_inputs, instance->inputs.course, SMALLEST));
+    most = fmax(most, most_of(model->np, of_parameters, instance->p, SMALLEST));
+    const double h = LAG_DISTANCE / most;
     lag_status status = LAG_OK;
-    motion->inputs = NULL;
-    for (size_t k = 0; k < LAG_POINTS && h < (double)INFINITY && status == LAG_OK; ++k) {
-        status = search(instance, LAG_POINT[k] * h, u, x, p);
+    for (size_t k = 0; k < LAG_POINTS && most > 0.0 && status == LAG_OK; ++k) {
+        lag_initial told = {.p = p};
+        memcpy(p, instance->p, model->np * sizeof(double));
+        lag_axpy(model->np, LAG_POINT[k] * h, of_parameters, p);
+        status = lag_instance_find_start(instance, LAG_POINT[k] * h, x, &told);
         lag_axpy(size, LAG_WEIGHT[k] / h, x, slope);
         lag_axpy(model->np, LAG_WEIGHT[k] / h, p, slope + size);
     }
-    motion->inputs = inputs;
-    memcpy(motion->u, u, model->nu * sizeof(double));
     memcpy(motion->w, w, model->nw * sizeof(double));
     memcpy(direction, slope, size * sizeof(double));
-    for (size_t i = 0; i < model->np && instance->fmu->start->free != NULL; ++i) {
-        double *of_parameter = direction + size + model->nu + i;
-        *of_parameter = instance->fmu->start->free[i] ? slope[size + i] : *of_parameter;
+    for (size_t i = 0; i < model->np && free != NULL; ++i) {
+        of_parameters[i] = free[i] ? slope[size + i] : of_parameters[i];
     }
+    lag_instance_set_run_inputs(instance);
     instance->values.known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
     const lag_status restored = lag_motion_parameters(motion, instance->p);
     return status == LAG_OK ? restored : status;

@@ -1,0 +1,202 @@
+/*
+ * Inputs in time: constants, or polynomials about the time at which they were set; in model exchange constants at each state of the importer.
+ *
+ * Inputs that jump: their values on the left of the present are those that the polynomials of the last communication point lead to; in model
+ * exchange those at the end of the last step. Rates that inputs prescribe keep the momenta. Values whose derivatives are inputs, too, may not jump,
+ * because no impulse moves a position: a time H after the last point
+ *
+ *     |u - left| <= 2 H |u' - left'| + 4 H^2 max |u''| + a negligible jump,
+ *
+ * which admits corners of u'. In model exchange H is zero.
+ */
+#include "lag/instance/instance_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
+
+static const double OF_RATES = 2.0;
+static const double OF_ACCELERATIONS = 4.0;
+/* Of the value: decimals of a table. */
+static const double NOTHING = 1e-6;
+
+/* ---- polynomials ---- */
+
+/* Derivative number `order` of input i a time s after `about`. */
+static double derivative_at(const lag_instance *instance, size_t i, size_t order, double s)
+{
+    const size_t nu = instance->fmu->model->nu;
+    const double *c = instance->inputs.course + i;
+    double sum = 0.0;
+    for (size_t k = LAG_INPUT_ORDER; k > order; --k) {
+        sum = (sum + c[k * nu]) * s / (double)(k - order);
+    }
+    return c[order * nu] + sum;
+}
+
+void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
+{
+    for (size_t i = 0; i < instance->fmu->model->nu; ++i) {
+        u[i] = derivative_at(instance, i, 0, t - instance->held.about);
+    }
+}
+
+/* As lag_motion wants them. */
+static void inputs_of(void *context, double t, int before, double *u)
+{
+    (void)before; /* a jump is an event */
+    lag_instance_inputs_at(context, t, u);
+}
+
+void lag_instance_set_run_inputs(lag_instance *instance)
+{
+    lag_motion *motion = &instance->run->motion;
+    const size_t nu = instance->fmu->model->nu;
+    instance->held.polynomial = nu > 0 && lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu);
+    motion->inputs = instance->held.polynomial ? inputs_of : NULL;
+    motion->context = instance;
+    lag_instance_inputs_at(instance, instance->held.t, motion->u);
+}
+
+void lag_instance_inputs_about(lag_instance *instance, double t)
+{
+    const size_t nu = instance->fmu->model->nu;
+    for (size_t order = 0; order < LAG_INPUT_ORDER && instance->held.polynomial; ++order) {
+        for (size_t i = 0; i < nu; ++i) {
+            instance->inputs.course[order * nu + i] = derivative_at(instance, i, order, t - instance->held.about);
+        }
+    }
+    instance->held.about = t;
+}
+
+void lag_instance_chain_inputs(lag_instance *instance)
+{
+    const size_t nu = instance->fmu->model->nu;
+    const size_t *rates = instance->fmu->inputs.rates;
+    if (rates == NULL) {
+        return;
+    }
+    lag_instance_inputs_about(instance, instance->held.t);
+    for (size_t k = 1; k <= LAG_INPUT_ORDER; ++k) {
+        for (size_t i = 0; i < nu; ++i) {
+            if (rates[i] < nu) {
+                instance->inputs.course[k * nu + i] = instance->inputs.course[(k - 1) * nu + rates[i]];
+            }
+        }
+    }
+    lag_instance_set_run_inputs(instance);
+}
+
+void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first, size_t count, const double *values)
+{
+    lag_held *held = &instance->held;
+    double *course = instance->inputs.course + order * instance->fmu->model->nu + first;
+    for (size_t i = 0; i < count && order == 0; ++i) {
+        instance->inputs.given[first + i] = 1;
+    }
+    if (!held->exchanged && held->left_at != held->t) {
+        lag_instance_leave_inputs(instance);
+    }
+    lag_instance_inputs_about(instance, held->t);
+    if (!lag_same(count, course, values)) {
+        memcpy(course, values, count * sizeof(double));
+        held->jumped = 1;
+        held->initialized = 0;
+        instance->values.known = 0;
+        lag_instance_set_run_inputs(instance);
+    }
+}
+
+lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values)
+{
+    const lag_variable *which = &instance->fmu->variables[variable];
+    if (order > LAG_INPUT_ORDER) {
+        return lag_instance_fail(instance, LAG_MISSING, "derivatives of inputs can be set up to order %d", LAG_INPUT_ORDER);
+    }
+    lag_instance_set_inputs(instance, (size_t)order, which->first, which->count, values);
+    return LAG_OK;
+}
+
+/* ---- jumps ---- */
+
+void lag_instance_leave_inputs(lag_instance *instance)
+{
+    if (instance->fmu->inputs.rates != NULL) {
+        lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
+        instance->held.left_for = instance->held.exchanged ? 0.0 : instance->held.t - instance->held.left_at;
+        instance->held.left_at = instance->held.t;
+    }
+}
+
+/* The inputs at the present, into those of the run; 0: they are not known on the left of it, or have not been set since. */
+static int read_inputs(lag_instance *instance)
+{
+    const double t = instance->held.t;
+    const int known = t == instance->held.left_at && t > instance->run->counts.begun;
+    if (known) {
+        lag_instance_inputs_at(instance, t, instance->run->motion.u);
+    }
+    return known;
+}
+
+/* The input that is the derivative of input i; nu without. */
+static size_t rate_of(const lag_instance *instance, size_t i)
+{
+    return i < instance->fmu->model->nu ? instance->fmu->inputs.rates[i] : i;
+}
+
+/* The change of input i, and its larger magnitude on both sides. */
+static double change_of(const lag_instance *instance, size_t i)
+{
+    return i < instance->fmu->model->nu ? fabs(instance->run->motion.u[i] - instance->inputs.left[i]) : 0.0;
+}
+
+static double size_of(const lag_instance *instance, size_t i)
+{
+    return i < instance->fmu->model->nu ? fmax(fabs(instance->run->motion.u[i]), fabs(instance->inputs.left[i])) : 0.0;
+}
+
+/* True if input i has a derivative among the inputs, and changes by more than that tells. */
+static int jumps(const lag_instance *instance, size_t i)
+{
+    const double h = instance->held.left_for;
+    const size_t rate = rate_of(instance, i);
+    const double bend = OF_RATES * h * change_of(instance, rate) + OF_ACCELERATIONS * h * h * size_of(instance, rate_of(instance, rate));
+    const double nothing = fmax(instance->held.tolerance, NOTHING) * size_of(instance, i);
+    return rate < instance->fmu->model->nu && change_of(instance, i) > nothing + bend;
+}
+
+lag_status lag_instance_follow_inputs(lag_instance *instance)
+{
+    const unsigned char *follows = instance->fmu->inputs.continuous;
+    const lag_slot *inputs = instance->fmu->model->inputs;
+    const size_t count = follows != NULL && read_inputs(instance) ? instance->fmu->model->nu : 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (follows[i] && jumps(instance, i)) {
+            const size_t rate = rate_of(instance, i);
+            return lag_instance_fail(instance, LAG_POSITION_JUMP,
+                "t = %.10g s: the input %s moves by more than its derivatives say (%s is %.6g): set it and its derivatives from one smooth path, at "
+                "more points if it is fast; let %s jump to make a blow",
+                instance->held.t, inputs[i].name, inputs[rate].name, instance->run->motion.u[rate], inputs[rate].name);
+        }
+    }
+    return LAG_OK;
+}
+
+lag_status lag_instance_balance_inputs(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    const size_t nu = instance->fmu->model->nu;
+    int blow = 0; /* of which contacts hear */
+    if (!read_inputs(instance) || lag_same(nu, run->motion.u, instance->inputs.left)) {
+        return LAG_OK;
+    }
+    for (size_t i = 0; i < nu; ++i) {
+        blow = blow || jumps(instance, i);
+    }
+    const lag_status status = lag_instants_prescribe(&run->instants, instance->held.t, run->stepper.x, instance->inputs.left, blow);
+    lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
+    return status;
+}
