@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
 from choice import ALL, chosen
 
 from lagdsl.algebra.graph.operation import Op
 from lagdsl.derivation.program.functions import STATE
 from lagdsl.derivation.program.program import Program, whole_block
-from lagdsl.engines.runtime.engines.broadcast import BatchEngine
+from lagdsl.engines.runtime.engines.broadcast import solving
 from lagdsl.engines.runtime.engines.c_engine import CEngine
 from lagdsl.engines.runtime.engines.numpy_engine import NumpyEngine
-from models.corpus import MODELS, Arrays, compiled, textbook
+from models.corpus import MODELS, compiled, textbook
 from models.kinds import OF_EACH_KIND, over
 from models.many_states import left_in_equations, many_states
 
@@ -23,18 +22,15 @@ LEFT = 1e-10  # of the size of the terms
 @over(chosen(MODELS, OF_EACH_KIND[::4]))
 def test_solutions_satisfy_the_equations_of_both_derivations(name: str) -> None:
     program, states = compiled(name).graph, many_states(name)
-    ways: list[BatchEngine] = [NumpyEngine(without_dense(program)), NumpyEngine(without_elimination(program))]
-    if ALL or name in OF_EACH_KIND[::6]:
-        ways.append(CEngine(program))
-    for engine in ways if program.has("elimination") else ways[1:]:
-        qdd, lam = solved(engine, states)
+    ways = [NumpyEngine(without_dense(program)).solve_many, NumpyEngine(without_elimination(program)).solve_many]
+    if (
+        ALL or name in OF_EACH_KIND[::6]
+    ):  # with the loads that these states have, though others follow from their accelerations
+        ways.append(solving(program, CEngine(program)))
+    for solve in ways if program.has("elimination") else ways[1:]:
+        qdd, lam = solve(*(states[group] for group in STATE))
         assert left_in_equations(program, states, qdd, lam) < LEFT
         assert left_in_equations(textbook(name), states, qdd, lam) < LEFT
-
-
-def solved(engine: BatchEngine, states: Arrays) -> tuple[np.ndarray, np.ndarray]:
-    qdd, lam = engine.solve_many(*(states[group] for group in STATE))
-    return qdd, lam
 
 
 def without_elimination(program: Program) -> Program:

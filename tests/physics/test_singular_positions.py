@@ -6,6 +6,7 @@ slightly other lengths, which does turn. So branches are compared, by closed for
 
 from __future__ import annotations
 
+import sys
 from ctypes import byref
 from pathlib import Path
 
@@ -79,6 +80,10 @@ SLIDER_CRANK = """model SliderCrank
 end SliderCrank;
 """
 
+# Rounding of a position leaves its square root open in the direction of a branch: so much energy is lost at each
+# crossing, at any tolerance.
+CROSSING = sys.float_info.epsilon**0.5
+
 
 def drift(motion: lagdsl.Trajectory) -> float:
     energy = motion.energy
@@ -102,7 +107,7 @@ def test_crossing_keeps_the_branch(engine: str, tolerance: float, text: str, pai
     motion = lagdsl.compile(text, engine=engine).simulate(stop=1.2, tolerance=tolerance)  # type: ignore[arg-type]
     for first, second in pairs:
         assert np.max(np.abs(motion[first] + motion[second])) < 1e-8
-    assert drift(motion) < max(1e-8, 10.0 * tolerance)
+    assert drift(motion) < max(4.0 * CROSSING, 10.0 * tolerance)
 
 
 def test_parallelogram_keeps_its_energy() -> None:

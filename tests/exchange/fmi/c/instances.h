@@ -19,7 +19,7 @@
 static inline lag_instance *placed(const lag_fmu *fmu, double start, double stop, double tolerance)
 {
     lag_instance *one = lag_instance_place(malloc(lag_instance_size(fmu)), fmu);
-    CHECK_OK(one, lag_instance_setup(one, LAG_CO_SIMULATION, start, stop, tolerance));
+    lag_instance_setup(one, LAG_CO_SIMULATION, start, stop, tolerance);
     return one;
 }
 
@@ -27,12 +27,9 @@ static inline lag_instance *placed(const lag_fmu *fmu, double start, double stop
 static inline void begin(lag_instance *one)
 {
     lag_update told;
-    CHECK_OK(one, lag_instance_initialize(one));
+    CHECK_OK(one, lag_instance_ready(one));
     CHECK_OK(one, lag_instance_begin(one));
-    do {
-        CHECK_OK(one, lag_instance_update(one, &told));
-    } while (told.again);
-    CHECK_OK(one, lag_instance_enter_continuous(one));
+    CHECK_OK(one, lag_instance_update(one, &told));
 }
 
 static inline lag_instance *begun(const lag_fmu *fmu, double start, double stop, double tolerance)

@@ -22,7 +22,6 @@ enum {
     FAULT_STOP,        /* the model stops at 0.35 s */
     FAULT_RATES,       /* derivatives are not finite */
     FAULT_START,       /* there is no start */
-    FAULT_RESTLESS,    /* events never settle */
     FAULT_STATES,      /* an update changes the states */
     FAULT_STOP_AT_START
 };
@@ -166,16 +165,15 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
     return LAG_OK;
 }
 
-lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
+void lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
 {
     (void)kind;
     (void)stop;
     (void)tolerance;
     instance->held.t = start;
-    return LAG_OK;
 }
 
-lag_status lag_instance_initialize(lag_instance *instance)
+lag_status lag_instance_ready(lag_instance *instance)
 {
     ++instance->initialized;
     return stand_in_fault(instance, FAULT_START) ? stand_in_fail(instance, LAG_PROJECTION_FAILED) : LAG_OK;
@@ -193,10 +191,9 @@ lag_status lag_instance_terminate(lag_instance *instance)
     return stand_in_fault(instance, FAULT_FAILURE) ? stand_in_fail(instance, LAG_ASSERTION_FAILED) : LAG_OK;
 }
 
-lag_status lag_instance_set_time(lag_instance *instance, double t)
+void lag_instance_set_time(lag_instance *instance, double t)
 {
     instance->held.t = t;
-    return LAG_OK;
 }
 
 size_t lag_instance_state_count(const lag_fmu *fmu)
@@ -210,10 +207,9 @@ size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i)
     return i;
 }
 
-lag_status lag_instance_set_states(lag_instance *instance, const double *x)
+void lag_instance_set_states(lag_instance *instance, const double *x)
 {
     memcpy(instance->held.x, x, sizeof instance->held.x);
-    return LAG_OK;
 }
 
 void lag_instance_states(const lag_instance *instance, double *x)
@@ -239,34 +235,20 @@ lag_status lag_instance_indicators(lag_instance *instance, double *g)
     return LAG_OK;
 }
 
-lag_status lag_instance_enter_events(lag_instance *instance)
-{
-    instance->held.entered = 1;
-    return LAG_OK;
-}
-
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 {
     lag_held_values *held = &instance->held;
     *told = (lag_update){.next = held->p[2] > 0.0 ? held->from + held->p[2] : (double)INFINITY};
-    told->again = stand_in_fault(instance, FAULT_RESTLESS);
     told->terminate = held->stopped;
     told->states_changed = stand_in_fault(instance, FAULT_STATES);
-    held->w[0] += held->entered;
-    held->entered = 0;
+    held->w[0] += held->entered; /* the first one is that of the start */
+    held->entered = 1;
     return LAG_OK;
 }
 
-lag_status lag_instance_enter_continuous(lag_instance *instance)
-{
-    (void)instance;
-    return LAG_OK;
-}
-
-lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate)
+lag_status lag_instance_completed(lag_instance *instance, int *events)
 {
     *events = fabs(instance->held.x[0]) > 10.0;
-    *terminate = stand_in_fault(instance, FAULT_STOP) && instance->held.t >= 0.35;
     return stand_in_fault(instance, FAULT_FAILURE) ? stand_in_fail(instance, LAG_VIOLATED) : LAG_OK;
 }
 
@@ -358,9 +340,9 @@ lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown
     return LAG_OK;
 }
 
-size_t lag_instance_saved_size(const lag_fmu *fmu)
+size_t lag_instance_saved_size(const lag_instance *instance)
 {
-    (void)fmu;
+    (void)instance;
     return sizeof(lag_held_values);
 }
 

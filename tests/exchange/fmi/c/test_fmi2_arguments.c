@@ -113,7 +113,7 @@ static void steps(void)
 {
     fmi2Component c = made(fmi2CoSimulation);
     expect(fmi2SetupExperiment(c, 0, 0.0, (double)NAN, 0, 0.0), fmi2Error, "start time");
-    expect(fmi2SetupExperiment(c, 0, 0.0, 2.0, 1, 1.0), fmi2Error, "before the start time");
+    expect(fmi2SetupExperiment(c, 0, 0.0, 2.0, 1, 1.0), fmi2Error, "not after the start time");
     expect(fmi2SetupExperiment(c, 0, 0.0, 0.0, 1, (double)NAN), fmi2Error, "stop time");
     expect(fmi2SetupExperiment(c, 1, 0.0, 0.0, 0, 0.0), fmi2Error, "tolerance");
     expect(fmi2SetupExperiment(c, 1, (double)INFINITY, 0.0, 0, 0.0), fmi2Error, "tolerance");

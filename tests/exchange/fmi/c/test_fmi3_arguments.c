@@ -129,7 +129,7 @@ static void steps(void)
     fmi3Boolean flag;
     double t;
     expect(begin(i, (double)NAN), fmi3Error, "start time");
-    expect(fmi3EnterInitializationMode(i, false, 0.0, 2.0, true, 1.0), fmi3Error, "before the start time");
+    expect(fmi3EnterInitializationMode(i, false, 0.0, 2.0, true, 1.0), fmi3Error, "not after the start time");
     expect(fmi3EnterInitializationMode(i, true, -1.0, 0.0, false, 0.0), fmi3Error, "tolerance");
     CHECK(fmi3EnterInitializationMode(i, true, 1e-6, 0.0, true, 1.0) == fmi3OK && fmi3ExitInitializationMode(i) == fmi3OK);
     expect(step(i, 0.0, 0.0), fmi3Error, "longer than zero");

@@ -91,13 +91,9 @@ static void event_mode(void)
             if (told.event) {
                 CHECK_NEAR(told.t, count < events.count ? events.t[count] : STOP, 1e-9); /* the run leaves the tick at the stop to its end */
                 ++count;
-                CHECK_OK(one, lag_instance_enter_events(one));
-                do {
-                    CHECK_OK(one, lag_instance_update(one, &update));
-                    changes += update.states_changed != 0;
-                } while (update.again);
+                CHECK_OK(one, lag_instance_update(one, &update));
+                changes += update.states_changed != 0;
                 CHECK(update.next > told.t && update.next <= told.t + 0.05 + 1e-12);
-                CHECK_OK(one, lag_instance_enter_continuous(one));
             }
         }
         compare(one, rows + k * MACH_SIZE, 1e-7);
@@ -144,15 +140,15 @@ static void rk4(importer *own, double h, double *x)
         for (size_t i = 0; i < MACH_SIZE; ++i) {
             at[i] = own->x[i] + node[k] * h * slope[i];
         }
-        CHECK_OK(own->one, lag_instance_set_time(own->one, own->t + node[k] * h));
-        CHECK_OK(own->one, lag_instance_set_states(own->one, at));
+        lag_instance_set_time(own->one, own->t + node[k] * h);
+        lag_instance_set_states(own->one, at);
         CHECK_OK(own->one, lag_instance_derivatives(own->one, slope));
         for (size_t i = 0; i < MACH_SIZE; ++i) {
             x[i] += weight[k] * h * slope[i];
         }
     }
-    CHECK_OK(own->one, lag_instance_set_time(own->one, own->t + h));
-    CHECK_OK(own->one, lag_instance_set_states(own->one, x));
+    lag_instance_set_time(own->one, own->t + h);
+    lag_instance_set_states(own->one, x);
 }
 
 static int crosses(importer *own, const double *before)
@@ -168,9 +164,8 @@ static void advance(importer *own, double h, int locate)
     double before[2];
     double x[MACH_SIZE];
     int event = 0;
-    int terminate = 0;
     int late = 0;
-    CHECK_OK(own->one, lag_instance_set_states(own->one, own->x));
+    lag_instance_set_states(own->one, own->x);
     CHECK_OK(own->one, lag_instance_indicators(own->one, before));
     if (own->t + h >= own->next) {
         h = own->next - own->t;
@@ -192,17 +187,12 @@ static void advance(importer *own, double h, int locate)
     }
     own->t = late ? own->next : own->t + h;
     memcpy(own->x, x, sizeof x);
-    CHECK_OK(own->one, lag_instance_set_time(own->one, own->t));
-    CHECK_OK(own->one, lag_instance_completed(own->one, &event, &terminate));
-    CHECK(!terminate);
+    lag_instance_set_time(own->one, own->t);
+    CHECK_OK(own->one, lag_instance_completed(own->one, &event));
     if (event || crossed || late) {
         lag_update update;
         ++own->events;
-        CHECK_OK(own->one, lag_instance_enter_events(own->one));
-        do {
-            CHECK_OK(own->one, lag_instance_update(own->one, &update));
-        } while (update.again);
-        CHECK_OK(own->one, lag_instance_enter_continuous(own->one));
+        CHECK_OK(own->one, lag_instance_update(own->one, &update));
         lag_instance_states(own->one, own->x);
         CHECK(!update.terminate && update.next > own->t);
         own->next = update.next;
@@ -216,7 +206,6 @@ static importer importing(void)
     CHECK_OK(own.one, lag_instance_begin(own.one));
     CHECK_OK(own.one, lag_instance_update(own.one, &update));
     CHECK_NEAR(update.next, 0.05, 1e-15);
-    CHECK_OK(own.one, lag_instance_enter_continuous(own.one));
     lag_instance_states(own.one, own.x);
     own.next = update.next;
     return own;

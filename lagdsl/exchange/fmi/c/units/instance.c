@@ -34,9 +34,7 @@
 #undef find
 #undef lay_out
 
-#include "lag/instance/event_indicators.c"
-
-#include "lag/instance/event_mode.c"
+#include "lag/instance/events.c"
 
 #include "lag/instance/exchange.c"
 

@@ -19,9 +19,9 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component instance, fmi2EventInfo *eventInf
     const lag_answer answer = lag_shell_update(shell, &told);
     if (answer == LAG_ANSWER_OK) {
         *eventInfo = (fmi2EventInfo){
-            .newDiscreteStatesNeeded = told.again != 0,
+            .newDiscreteStatesNeeded = fmi2False,
             .terminateSimulation = told.terminate != 0,
-            .nominalsOfContinuousStatesChanged = told.nominals_changed != 0,
+            .nominalsOfContinuousStatesChanged = fmi2False,
             .valuesOfContinuousStatesChanged = told.states_changed != 0,
             .nextEventTimeDefined = isfinite(told.next) != 0,
             .nextEventTime = isfinite(told.next) ? told.next : 0.0,

@@ -125,9 +125,9 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean *discrete
     lag_update told;
     const lag_answer answer = lag_shell_update(shell, &told);
     if (answer == LAG_ANSWER_OK) {
-        *discreteStatesNeedUpdate = told.again != 0;
+        *discreteStatesNeedUpdate = fmi3False;
         *terminateSimulation = told.terminate != 0;
-        *nominalsOfContinuousStatesChanged = told.nominals_changed != 0;
+        *nominalsOfContinuousStatesChanged = fmi3False;
         *valuesOfContinuousStatesChanged = told.states_changed != 0;
         *nextEventTimeDefined = isfinite(told.next) != 0;
         *nextEventTime = isfinite(told.next) ? told.next : 0.0;

@@ -3,52 +3,35 @@
 
 #include <math.h>
 
-/* The clock as it will be, or as it began: its period stays as it was at the start. */
-static lag_status known(lag_instance *instance, size_t which, lag_clock *clock)
+/* The first instant of a clock from time t on, but for round-off. Its period stays as it was at the start. */
+static lag_status seek(lag_instance *instance, size_t which, double t, double *period, double *instant)
 {
-    const lag_model *model = instance->fmu->model;
-    lag_instants *instants = &instance->run->instants;
-    if (instance->held.phase == LAG_PHASE_MOTION) {
-        *clock = instants->clock[which];
-        return LAG_OK;
-    }
-    lag_status status = lag_instance_ready(instance);
+    const lag_status status = lag_instance_ready(instance);
     if (status == LAG_OK) {
-        status = model->clock(&instance->run->motion.at, instants->first, instants->period);
+        lag_clock clock = instance->run->instants.clock[which];
+        lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
+        *period = clock.period;
+        *instant = lag_clock_instant(&clock, clock.next);
     }
-    if (status == LAG_OK && (!(instants->period[which] > 0.0) || !isfinite(instants->first[which]))) {
-        status = LAG_BAD_CLOCK;
-    }
-    if (status == LAG_OK) {
-        *clock = lag_clock_of(instants->first[which], instants->period[which]);
-    }
-    return lag_instance_judge(instance, status);
+    return status;
 }
 
 lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
 {
-    lag_clock clock = {0};
-    const lag_status status = known(instance, which, &clock);
-    if (status == LAG_OK) {
-        lag_clock_seek(&clock, instance->held.start - LAG_SAME_TICK * clock.period);
-        *period = clock.period;
-        *shift = fmax(0.0, lag_clock_instant(&clock, clock.next) - instance->held.start);
-    }
+    const double start = instance->held.start;
+    const lag_status status = seek(instance, which, start, period, shift);
+    *shift = fmax(0.0, *shift - start);
     return status;
 }
 
 lag_status lag_instance_tick(lag_instance *instance, size_t which)
 {
-    lag_clock clock = {0};
-    const lag_status status = known(instance, which, &clock);
-    if (status != LAG_OK) {
-        return status;
-    }
     const double t = instance->held.t;
-    lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
-    const double tick = lag_clock_instant(&clock, clock.next);
-    if (tick <= t + LAG_SAME_TICK * clock.period) {
-        return LAG_OK;
+    double period = 0.0;
+    double tick = t;
+    const lag_status status = seek(instance, which, t, &period, &tick);
+    if (status != LAG_OK || tick <= t + LAG_SAME_TICK * period) {
+        return status;
     }
     return lag_instance_fail(instance, LAG_MISSING, "the clock does not tick at %.10g s, but at %.10g s", t, tick);
 }

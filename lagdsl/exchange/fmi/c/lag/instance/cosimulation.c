@@ -61,12 +61,6 @@ static lag_status step(lag_instance *instance, double end, double *far)
     return status;
 }
 
-/* True if event mode has work at the time up to which the motion is known. */
-static int is_event(const lag_run *run)
-{
-    return (run->half.open && run->half.own) || lag_run_due(run, reached(run));
-}
-
 /*
  * Carries out the rest of the last step. One that was cut short at this communication point may have ended on a singular position, which is
  * looked at where a run begins only.
@@ -79,11 +73,12 @@ static lag_status finish(lag_instance *instance, double far)
     return status == LAG_OK && cut ? lag_run_restart(run, far) : status;
 }
 
-/* True if the step must stop at the time up to which the motion is known, for event mode. */
+/* True if the step must stop at the time up to which the motion is known, because event mode has work there. */
 static int stops_here(const lag_instance *instance, double end, int stops)
 {
-    const double t = reached(instance->run);
-    return (stops & LAG_STOP_EVENTS) != 0 && t > instance->held.t && t <= end && is_event(instance->run);
+    const lag_run *run = instance->run;
+    const double t = reached(run);
+    return (stops & LAG_STOP_EVENTS) != 0 && t > instance->held.t && t <= end && ((run->half.open && run->half.own) || lag_run_due(run, t));
 }
 
 /* From where the run is to `end`, or to where it has to stop before; *event: event mode has something to do there. */
@@ -119,74 +114,50 @@ static lag_status end_at_the_stop(lag_instance *instance)
 }
 
 /*
- * True if steps of length h are too long for the explicit method. The exact Jacobian decides once, so that all steps cost
- * the same.
+ * Steps of one length, none longer than the option wants it. The exact Jacobian decides once whether they are too long for the explicit method, so that
+ * all steps cost the same.
  */
-static int needs_implicit(lag_instance *instance, double h)
-{
-    lag_run *run = instance->run;
-    int decays = 0;
-    return h * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper, &decays) > STABLE;
-}
-
-/* Steps of one length, none longer than the option wants it. */
 static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
 {
     lag_run *run = instance->run;
-    const double begun = instance->held.t;
-    const double count = fmax(1.0, ceil((end - begun) / instance->held.step - LAG_SAME_TICK));
+    lag_held *held = &instance->held;
+    const double begun = held->t;
+    const double count = fmax(1.0, ceil((end - begun) / held->step - LAG_SAME_TICK));
     lag_status status = count <= LAG_MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
-    if (instance->held.implicit < 0) {
-        instance->held.implicit = needs_implicit(instance, instance->held.step);
+    if (held->implicit < 0) {
+        held->implicit = held->step * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper, &(int){0}) > STABLE;
     }
-    lag_fixed_step *const method = instance->held.implicit ? lag_ros2 : lag_rk4;
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
-        status = lag_run_fixed(run, (end - begun) / count, method, instance->scratch.fixed);
+        status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->scratch.fixed);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
-        if (status == LAG_OK && !lag_finite(lag_instance_order(instance), run->stepper.x)) {
-            status = LAG_NOT_FINITE;
-        }
-        if (status == LAG_OK) {
-            status = lag_instance_assert(instance, run->stepper.t, run->stepper.x);
-        }
-        if (status == LAG_OK) {
-            status = deliver(instance, run->stepper.t);
-        }
+        status = status == LAG_OK ? lag_instance_assert(instance, run->stepper.t, run->stepper.x) : status;
+        status = status == LAG_OK ? deliver(instance, run->stepper.t) : status;
     }
     return status;
 }
 
-/* Restarts the run at the communication point if the importer has set a value. */
+/* After the importer has set a value: the run goes back to the communication point, and on from there. */
 static lag_status begin(lag_instance *instance, double far)
 {
     lag_held *held = &instance->held;
     lag_status status = lag_instance_carry_out(instance);
-    if (status == LAG_OK && !held->stopped) {
-        status = lag_run_restart(instance->run, far);
-    }
+    status = status == LAG_OK && !held->stopped ? lag_run_restart(instance->run, far) : status;
     held->jumped = status != LAG_OK;
     return status;
-}
-
-/* Times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost. */
-static double end_of_step(const lag_instance *instance, double t)
-{
-    return instance->fmu->model->event != NULL ? lag_instants_same(&instance->run->instants, t) : t;
 }
 
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held *held = &instance->held;
     lag_status status = lag_instance_begin(instance);
+    status = status == LAG_OK ? lag_instance_ready(instance) : status;
+    /* times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost */
+    const double end = lag_instants_same(&instance->run->instants, held->t + h);
+    const double far = farthest(instance, end, held->jumped);
     *told = (lag_progress){.t = held->t};
-    if (status == LAG_OK) {
-        status = lag_instance_ready(instance);
-    }
-    const double end = end_of_step(instance, held->t + h);
     if (held->jumped) {
         lag_instance_chain_inputs(instance);
     }
-    const double far = farthest(instance, end, held->jumped);
     if (status == LAG_OK && held->jumped && !held->stopped) {
         status = lag_instance_follow_inputs(instance);
         if (status != LAG_OK) {

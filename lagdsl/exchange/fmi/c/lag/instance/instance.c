@@ -19,16 +19,6 @@ static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
 
-/* Entries of the longest variable. */
-static size_t longest(const lag_fmu *fmu)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < fmu->nvariable; ++i) {
-        count = fmu->variables[i].count > count ? fmu->variables[i].count : count;
-    }
-    return count;
-}
-
 /* Memory that is laid out; where there is none, it is counted. */
 typedef struct room {
     double *memory;
@@ -67,35 +57,19 @@ static void lay_out(lag_instance *instance, room *of)
     instance->values.unasked = take(of, model->nc);
     instance->scratch.point = take(of, size);
     instance->scratch.tangent = take(of, size);
-    instance->scratch.entry = take(of, longest(fmu));
     instance->scratch.fixed = take(of, lag_fixed_memory(size));
     instance->scratch.slopes = take(of, lag_instance_slopes(model));
     instance->invariant_limits = take(of, model->ni);
     instance->warnings = take(of, model->na + model->nfail);
 }
 
-/* An instance that has no memory, to be counted. */
-static lag_instance counted(const lag_fmu *fmu, size_t *doubles)
-{
-    lag_instance none = {.fmu = fmu};
-    room of = {NULL, 0};
-    lay_out(&none, &of);
-    *doubles = of.count + lag_derivatives_memory(fmu->model);
-    return none;
-}
-
-size_t lag_instance_kept(const lag_fmu *fmu)
-{
-    size_t doubles = 0;
-    return counted(fmu, &doubles).kept_count;
-}
-
 /* Bytes up to those of the run. */
 static size_t own_size(const lag_fmu *fmu)
 {
-    size_t doubles = 0;
-    (void)counted(fmu, &doubles);
-    return lag_padded(sizeof(lag_instance)) + lag_padded(doubles * sizeof(double));
+    lag_instance none = {.fmu = fmu};
+    room of = {NULL, lag_derivatives_memory(fmu->model)};
+    lay_out(&none, &of);
+    return lag_padded(sizeof(lag_instance)) + lag_padded(of.count * sizeof(double));
 }
 
 /* Remembers which `terminate` acted, and warnings. */
@@ -207,20 +181,13 @@ static double integration_tolerance(const lag_instance *instance, lag_kinds kind
     return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->experiment.tolerance)) : given;
 }
 
-lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
+void lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
 {
     lag_held *held = &instance->held;
-    if (!isfinite(start) || !(stop > start)) {
-        return lag_instance_fail(instance, LAG_NOT_FINITE, "the simulation cannot go from %g s to %g s", start, stop);
-    }
-    if (!(tolerance >= 0.0) || !isfinite(tolerance)) {
-        return lag_instance_fail(instance, LAG_NOT_FINITE, "the tolerance %g is no positive number", tolerance);
-    }
     held->start = held->t = start;
     held->stop = stop;
     held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
     held->integration = integration_tolerance(instance, kind);
     lag_instance_inputs_about(instance, start);
     lag_instance_renew(instance);
-    return LAG_OK;
 }

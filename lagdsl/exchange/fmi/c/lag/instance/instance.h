@@ -20,11 +20,9 @@ typedef struct lag_instance lag_instance;
 
 /* Results of newDiscreteStates. */
 typedef struct lag_update {
-    int again;           /* another pass is needed */
-    int terminate;       /* the model ends the simulation; `message` tells why */
+    int terminate;      /* the model ends the simulation; `message` tells why */
     int states_changed;
-    int nominals_changed;
-    double next;         /* time of the next time event; infinite: none */
+    double next;        /* time of the next time event; infinite: none */
 } lag_update;
 
 /* Results of a communication step. */
@@ -50,7 +48,7 @@ const char *lag_instance_warning(lag_instance *instance);
 /* True if the variable is a free parameter: initialization solves for it, from the value that was set as a guess. */
 int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable);
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
-/* Not whether the moment allows it: that is the caller's. Refused: not finite, outside of what a Boolean or Integer may be. */
+/* Finite values of the type of the variable, where the moment allows that: both are the caller's to check. Refused: values outside of the range. */
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
 /* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2). */
 lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values);
@@ -58,14 +56,14 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
 
 /* ---- initialization ---- */
 
-/* `tolerance` 0: that of the experiment. In co-simulation the run keeps to a part of one that is coarser. */
-lag_status lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance);
+/* From `start` to a later `stop`. `tolerance` 0: that of the experiment. In co-simulation the run keeps to a part of one that is coarser. */
+void lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance);
 /*
  * States that were not set follow the parameters. All move to the nearest values that satisfy constraints and initial
  * equations; then the events of the start are carried out. A value that is set before lag_instance_begin() starts this anew;
  * reading a value does the same.
  */
-lag_status lag_instance_initialize(lag_instance *instance);
+lag_status lag_instance_ready(lag_instance *instance);
 /* Initialization is over, in event mode; the first update or step says so, too. */
 lag_status lag_instance_begin(lag_instance *instance);
 /* The end: ticks that are due, then what `terminal()` wants. Values are those afterwards. */
@@ -73,21 +71,19 @@ lag_status lag_instance_terminate(lag_instance *instance);
 
 /* ---- model exchange ---- */
 
-lag_status lag_instance_set_time(lag_instance *instance, double t);
+void lag_instance_set_time(lag_instance *instance, double t);
 /* Number of states that importers integrate, and the entry of x that is the i-th of them. */
 size_t lag_instance_state_count(const lag_fmu *fmu);
 size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i);
-lag_status lag_instance_set_states(lag_instance *instance, const double *x);
+void lag_instance_set_states(lag_instance *instance, const double *x);
 void lag_instance_states(const lag_instance *instance, double *x);
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd);
 size_t lag_instance_indicator_count(const lag_fmu *fmu);
 lag_status lag_instance_indicators(lag_instance *instance, double *g);
-/* Event mode: what relations and contacts have changed since is found anew in the first update that follows. */
-lag_status lag_instance_enter_events(lag_instance *instance);
+/* Event mode: what has changed since the last event is found anew and carried out, with what follows from it. */
 lag_status lag_instance_update(lag_instance *instance, lag_update *told);
-lag_status lag_instance_enter_continuous(lag_instance *instance);
 /* After an accepted step of the importer: *events 1: the constraints are off by more than the tolerance. */
-lag_status lag_instance_completed(lag_instance *instance, int *events, int *terminate);
+lag_status lag_instance_completed(lag_instance *instance, int *events);
 
 /* ---- co-simulation ---- */
 
@@ -123,7 +119,7 @@ lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown
 /* ---- state ---- */
 
 /* Copies that lag_instance_load takes back bit by bit, also into another instance of the same FMU, in another process. */
-size_t lag_instance_saved_size(const lag_fmu *fmu);
+size_t lag_instance_saved_size(const lag_instance *instance);
 void lag_instance_save(const lag_instance *instance, unsigned char *bytes);
 lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes);
 

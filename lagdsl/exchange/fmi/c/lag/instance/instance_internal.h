@@ -61,7 +61,6 @@ typedef struct lag_held {
     int initialized;        /* x follows from what was set */
     int jumped;             /* something was set since the motion went on: rates are others */
     int polynomial;         /* inputs have derivatives */
-    int entered;            /* event mode: nothing has been looked at yet */
     int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation, */
     size_t ending;          /* by this `terminate` */
@@ -99,7 +98,6 @@ typedef struct lag_values {
 /* Memory of one call. */
 typedef struct lag_instance_scratch {
     double *point, *tangent; /* (2 nq + nz) */
-    double *entry;           /* as many as the longest variable has */
     double *fixed;           /* lag_fixed_memory() */
     double *slopes;          /* lag_instance_slopes() */
 } lag_instance_scratch;
@@ -138,8 +136,6 @@ static inline lag_run_options lag_instance_plan(const lag_fmu *fmu)
 
 /* ---- instance.c ---- */
 
-/* Doubles of `kept`. */
-size_t lag_instance_kept(const lag_fmu *fmu);
 /* Rate at which state derivatives reduce constraint residuals [1/s]: within a fiftieth of the experiment of the FMU. */
 double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
@@ -174,8 +170,6 @@ lag_status lag_instance_find_start(lag_instance *instance, double along, double 
 
 /* ---- lazy_evaluation.c ---- */
 
-/* Functions know the parameters, states follow from the starts. */
-lag_status lag_instance_ready(lag_instance *instance);
 /* Lets this be known, one of the bits above. */
 lag_status lag_instance_evaluate(lag_instance *instance, unsigned what);
 /* LAG_VIOLATED: an assertion does not hold at x at time t. */
@@ -183,7 +177,9 @@ lag_status lag_instance_assert(lag_instance *instance, double t, const double *x
 
 /* ---- variables.c ---- */
 
-/* By this the value of a variable is that of the model. */
+/* Lets the value of a variable be known; its entry i then. By the factor it is that of the model. */
+lag_status lag_instance_look(lag_instance *instance, const lag_variable *variable);
+double lag_instance_value(const lag_instance *instance, const lag_variable *variable, size_t i);
 double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
 
 /* ---- directional.c ---- */
@@ -220,19 +216,12 @@ void lag_instance_leave_inputs(lag_instance *instance);
 /* The run is at the present state: where inputs have jumped, rates follow from the balance of momenta if these prescribe velocities. */
 lag_status lag_instance_balance_inputs(lag_instance *instance);
 
-/* ---- event_indicators.c ---- */
+/* ---- events.c ---- */
 
 /* Indicators at the present state, into g. */
 lag_status lag_instance_find_indicators(lag_instance *instance);
-/* True if guard i has been clear of its dead band since the last event. */
-int lag_instance_is_armed(const lag_instance *instance, size_t i);
-/* Event mode: true if guard i, evaluated last at the present state, has left its side. */
-int lag_instance_leaves(lag_instance *instance, size_t i);
-/* An event has ended at the present state: what is behind zero now is no event until it goes further. */
-lag_status lag_instance_arm(lag_instance *instance);
-
-/* ---- event_mode.c ---- */
-
+/* The run, which is at the start, begins there with what happens. */
+lag_status lag_instance_enter_run(lag_instance *instance);
 /*
  * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,
  * is carried out; clocks tick.

@@ -22,27 +22,26 @@ static void walk(lag_instance *instance, lag_record *record)
     }
 }
 
-static size_t own_bytes(size_t kept_count)
+static size_t own_bytes(const lag_instance *instance)
 {
-    return sizeof(lag_held) + kept_count * sizeof(double) + sizeof(lag_instance_terms);
+    return sizeof(lag_held) + instance->kept_count * sizeof(double) + sizeof(lag_instance_terms);
 }
 
-size_t lag_instance_saved_size(const lag_fmu *fmu)
+size_t lag_instance_saved_size(const lag_instance *instance)
 {
-    const lag_run_options options = lag_instance_plan(fmu);
-    return own_bytes(lag_instance_kept(fmu)) + lag_run_saved_size(fmu->model, &options);
+    return own_bytes(instance) + lag_run_saved_size(instance->fmu->model, &instance->run->options);
 }
 
 void lag_instance_save(const lag_instance *instance, unsigned char *bytes)
 {
     walk((lag_instance *)instance, &(lag_record){bytes, NULL, 0});
-    lag_run_save(instance->run, bytes + own_bytes(instance->kept_count));
+    lag_run_save(instance->run, bytes + own_bytes(instance));
 }
 
 lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
 {
     lag_motion *motion = &instance->run->motion;
-    lag_status status = lag_run_load(instance->run, bytes + own_bytes(instance->kept_count));
+    lag_status status = lag_run_load(instance->run, bytes + own_bytes(instance));
     if (status == LAG_OK) {
         walk(instance, &(lag_record){NULL, bytes, 0});
         status = motion->at.p != NULL ? lag_motion_parameters(motion, motion->at.p) : LAG_OK;

@@ -136,38 +136,15 @@ lag_status lag_instance_begin_at(lag_instance *instance)
     if (status != LAG_OK) {
         return status;
     }
-    status = lag_run_enter(run);
-    memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
-    lag_instance_note_stop(instance, status);
-    lag_fill(lag_guard_count(instance->fmu->model), 0.0, instance->guards.latched);
-    lag_fill(lag_guard_count(instance->fmu->model), (double)INFINITY, instance->guards.armed);
-    if (status == LAG_OK || status == LAG_STOPPED) {
-        status = lag_instance_arm(instance);
-    }
-    if (status == LAG_OK) {
-        status = lag_run_count_turns(instance->run, held->t, instance->x);
-    }
-    if (status == LAG_OK) {
-        status = lag_instance_assert(instance, held->t, instance->x);
-    }
+    status = lag_instance_enter_run(instance);
+    status = status == LAG_OK ? lag_instance_assert(instance, held->t, instance->x) : status;
     held->initialized = status == LAG_OK;
     return lag_instance_judge(instance, status);
 }
 
-lag_status lag_instance_initialize(lag_instance *instance)
-{
-    return lag_instance_ready(instance);
-}
-
 lag_status lag_instance_begin(lag_instance *instance)
 {
-    lag_held *held = &instance->held;
-    if (held->phase == LAG_PHASE_MOTION) {
-        return LAG_OK;
-    }
-    const lag_status status = lag_instance_ready(instance);
-    if (status == LAG_OK) {
-        held->phase = LAG_PHASE_MOTION;
-    }
+    const lag_status status = instance->held.phase == LAG_PHASE_START ? lag_instance_ready(instance) : LAG_OK;
+    instance->held.phase = status == LAG_OK ? LAG_PHASE_MOTION : LAG_PHASE_START;
     return status;
 }

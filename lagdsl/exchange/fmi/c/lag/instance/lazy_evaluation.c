@@ -59,23 +59,18 @@ static lag_status rates(lag_instance *instance)
 static lag_status residuals(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
+    lag_values *values = &instance->values;
     lag_projection *projection = &instance->run->projection;
     lag_status status = LAG_OK;
-    instance->values.residual[0] = instance->values.residual[1] = instance->values.slip = 0.0;
+    values->residual[0] = values->residual[1] = values->slip = 0.0;
     lag_projection_measure(projection, instance->x + model->nq);
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
         status = lag_projection_look(projection, level > 0);
-        for (size_t i = 0; i < model->nc && status == LAG_OK; ++i) {
-            const double part = fabs(projection->phi[i]) / instance->run->sizes.rows[i];
-            if (!isfinite(part)) {
-                return LAG_NOT_FINITE;
-            }
-            if (level > 0 || model->position_level[i]) {
-                instance->values.residual[level] = fmax(instance->values.residual[level], part);
-            }
-            if (level > 0) {
-                instance->values.slip = fmax(instance->values.slip, part / lag_projection_pace(projection, i));
-            }
+        for (size_t i = 0; i < model->nc; ++i) {
+            const double part = level > 0 || model->position_level[i] ? fabs(projection->phi[i]) / instance->run->sizes.rows[i] : 0.0;
+            status = status == LAG_OK && !isfinite(part) ? LAG_NOT_FINITE : status;
+            values->residual[level] = fmax(values->residual[level], part);
+            values->slip = level > 0 ? fmax(values->slip, part / lag_projection_pace(projection, i)) : 0.0;
         }
     }
     return status;

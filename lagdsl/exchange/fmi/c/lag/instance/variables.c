@@ -40,24 +40,32 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
     return role == LAG_ROLE_MULTIPLIER && instance->fmu->row_factors != NULL ? instance->fmu->row_factors[index] : 1.0;
 }
 
-lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
+double lag_instance_value(const lag_instance *instance, const lag_variable *variable, size_t i)
 {
-    const lag_variable *which = &instance->fmu->variables[variable];
-    const lag_role role = (lag_role)which->role;
+    const lag_role role = (lag_role)variable->role;
+    return instance->values.of[role][variable->first + i] * lag_instance_factor(instance, role, variable->first + i);
+}
+
+lag_status lag_instance_look(lag_instance *instance, const lag_variable *variable)
+{
+    const lag_role role = (lag_role)variable->role;
     const unsigned what = (1U << role) & LAG_FOLLOWING;
-    const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
-    lag_status status = what != 0 ? lag_instance_evaluate(instance, what) : follows ? lag_instance_ready(instance) : LAG_OK;
+    const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
+    const lag_status status = what != 0 ? lag_instance_evaluate(instance, what) : follows ? lag_instance_ready(instance) : LAG_OK;
     if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->held.polynomial) {
         lag_instance_inputs_at(instance, instance->held.t, instance->run->motion.u);
     }
-    const double *array = instance->values.of[role] + which->first;
-    if (status == LAG_OK) {
-        for (size_t i = 0; i < which->count; ++i) {
-            values[i] = array[i] * lag_instance_factor(instance, role, which->first + i);
-        }
-        status = check_found(instance, which, values);
-    }
     return status;
+}
+
+lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
+{
+    const lag_variable *which = &instance->fmu->variables[variable];
+    const lag_status status = lag_instance_look(instance, which);
+    for (size_t i = 0; i < which->count && status == LAG_OK; ++i) {
+        values[i] = lag_instance_value(instance, which, i);
+    }
+    return status == LAG_OK ? check_found(instance, which, values) : status;
 }
 
 /* ---- setting ---- */

@@ -59,7 +59,7 @@ lag_answer lag_shell_initialized(lag_shell *shell)
     if (shell->now.mode != LAG_MODE_INITIALIZATION || !shell->now.stale) {
         return LAG_ANSWER_OK;
     }
-    const lag_status status = lag_instance_initialize(shell->instance);
+    const lag_status status = lag_instance_ready(shell->instance);
     shell->now.stale = status != LAG_OK;
     return lag_shell_refused(shell, status);
 }

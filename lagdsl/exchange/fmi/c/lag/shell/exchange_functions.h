@@ -16,10 +16,10 @@ LAG_FMI(Status) LAG_FMI(CompletedIntegratorStep)(lag_fmi_handle instance, LAG_FM
     (void)noSetFMUStatePriorToCurrentPoint;
     LAG_NEEDS(enterEventMode, "enterEventMode")
     LAG_NEEDS(terminateSimulation, "terminateSimulation")
-    int events, terminate;
-    const lag_answer answer = lag_shell_completed(shell, &events, &terminate);
+    int events = 0;
+    const lag_answer answer = lag_shell_completed(shell, &events);
     *enterEventMode = events ? LAG_FMI(True) : LAG_FMI(False);
-    *terminateSimulation = terminate ? LAG_FMI(True) : LAG_FMI(False);
+    *terminateSimulation = LAG_FMI(False); /* a model ends in event mode */
     return (LAG_FMI(Status))answer;
 }
 

@@ -56,7 +56,7 @@ static uint64_t token_of(const lag_shell *shell)
 
 static size_t serialized(const lag_shell *shell)
 {
-    return sizeof(head) + lag_instance_saved_size(shell->fmu);
+    return sizeof(head) + lag_instance_saved_size(shell->instance);
 }
 
 static lag_fmu_state *living(lag_shell *shell, void *state)
@@ -75,7 +75,7 @@ static lag_fmu_state *living(lag_shell *shell, void *state)
 
 static lag_fmu_state *create(lag_shell *shell)
 {
-    lag_fmu_state *state = lag_shell_allocate(shell, sizeof *state + lag_instance_saved_size(shell->fmu));
+    lag_fmu_state *state = lag_shell_allocate(shell, sizeof *state + lag_instance_saved_size(shell->instance));
     if (state == NULL || (uintptr_t)state % _Alignof(lag_fmu_state) != 0) {
         lag_shell_release(shell, state);
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "no memory for the FMU state");

@@ -4,9 +4,6 @@
 #include <math.h>
 #include <stddef.h>
 
-/* More passes in a row mean that events never settle. */
-enum { MOST_PASSES = 10000 };
-
 /* Times beyond this are no simulation: neighbouring numbers are 0.1 ms apart. */
 static const double LATEST = 1e12;
 
@@ -25,8 +22,8 @@ lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, dou
     if (!lag_shell_is_time(shell, start, "the start time")) {
         return LAG_ANSWER_ERROR;
     }
-    if (stop_defined && !(stop >= start)) {
-        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the stop time %.17g is before the start time %.17g", stop, start);
+    if (stop_defined && !(stop > start)) {
+        return lag_shell_say(shell, LAG_ANSWER_ERROR, "the stop time %.17g is not after the start time %.17g", stop, start);
     }
     if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the tolerance %.17g is not a positive number", tolerance);
@@ -40,33 +37,10 @@ lag_answer lag_shell_set_experiment(lag_shell *shell, int tolerance_defined, dou
 lag_answer lag_shell_enter_initialization(lag_shell *shell)
 {
     const lag_course_of_calls *now = &shell->now;
-    const lag_status status = lag_instance_setup(shell->instance, (lag_kinds)now->kind, now->start, now->stop, now->tolerance);
-    if (status != LAG_OK) {
-        return lag_shell_refused(shell, status);
-    }
+    lag_instance_setup(shell->instance, (lag_kinds)now->kind, now->start, now->stop, now->tolerance);
     shell->now.mode = LAG_MODE_INITIALIZATION;
     shell->now.stale = 1;
     return LAG_ANSWER_OK;
-}
-
-/* Co-simulation without event mode: what happens at the start. */
-static lag_answer update_until_settled(lag_shell *shell)
-{
-    lag_update told = {.again = 1};
-    for (unsigned pass = 0; told.again && pass < MOST_PASSES; ++pass) {
-        const lag_status status = lag_instance_update(shell->instance, &told);
-        if (status != LAG_OK) {
-            return lag_shell_failed(shell, status);
-        }
-    }
-    if (told.again) {
-        return lag_shell_failed(shell, LAG_EVENT_ITERATION_FAILED);
-    }
-    shell->now.ended = told.terminate != 0;
-    if (told.terminate) {
-        lag_shell_note(shell, "the model ends the simulation: %s", lag_instance_message(shell->instance));
-    }
-    return lag_shell_leave_events(shell, LAG_MODE_STEP);
 }
 
 lag_answer lag_shell_exit_initialization(lag_shell *shell)
@@ -83,11 +57,12 @@ lag_answer lag_shell_exit_initialization(lag_shell *shell)
     }
     shell->now.mode = LAG_MODE_EVENT;
     shell->now.pending = 1;
-    if (shell->now.kind == LAG_CO_SIMULATION && !shell->now.event_mode) {
-        shell->now.pending = 0;
-        return update_until_settled(shell);
+    if (shell->now.kind != LAG_CO_SIMULATION || shell->now.event_mode) {
+        return LAG_ANSWER_OK;
     }
-    return LAG_ANSWER_OK;
+    lag_update told;
+    const lag_answer updated = lag_shell_update(shell, &told); /* what happens at the start */
+    return updated == LAG_ANSWER_OK ? lag_shell_leave_events(shell, LAG_MODE_STEP) : updated;
 }
 
 lag_answer lag_shell_enter_events(lag_shell *shell)
@@ -95,18 +70,12 @@ lag_answer lag_shell_enter_events(lag_shell *shell)
     if (shell->now.kind == LAG_CO_SIMULATION && !shell->now.event_mode) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the instance was made without event mode");
     }
-    if (shell->now.mode == LAG_MODE_EVENT) {
-        shell->now.pending = 1;
-        return LAG_ANSWER_OK;
-    }
-    const lag_status status = lag_instance_enter_events(shell->instance);
-    if (status != LAG_OK) {
-        return lag_shell_failed(shell, status);
+    if (shell->now.mode != LAG_MODE_EVENT) {
+        lag_shell_note(shell, "event at %.17g s", shell->now.time);
     }
     shell->now.mode = LAG_MODE_EVENT;
     shell->now.pending = 1;
     shell->now.due = 0;
-    lag_shell_note(shell, "event at %.17g s", shell->now.time);
     return LAG_ANSWER_OK;
 }
 
@@ -118,7 +87,7 @@ lag_answer lag_shell_update(lag_shell *shell, lag_update *told)
     if (status != LAG_OK) {
         return lag_shell_failed(shell, status);
     }
-    shell->now.pending = told->again != 0 && !told->terminate;
+    shell->now.pending = 0;
     if (told->terminate) {
         shell->now.ended = 1;
         lag_shell_note(shell, "the model ends the simulation: %s", lag_instance_message(shell->instance));
@@ -134,10 +103,6 @@ lag_answer lag_shell_leave_events(lag_shell *shell, lag_mode mode)
     }
     if (shell->now.pending) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "discrete states must be updated first, until they need no further update");
-    }
-    const lag_status status = lag_instance_enter_continuous(shell->instance);
-    if (status != LAG_OK) {
-        return lag_shell_failed(shell, status);
     }
     shell->now.mode = (uint32_t)mode;
     return LAG_ANSWER_OK;

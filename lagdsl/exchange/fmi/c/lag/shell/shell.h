@@ -71,7 +71,7 @@ typedef struct lag_course_of_calls {
     double start, stop, tolerance; /* of the experiment; infinite stop, zero tolerance: none given */
     uint32_t kind, mode;
     uint32_t stale;                /* initialization: something was set since the last one */
-    uint32_t pending;              /* event mode: another update is needed */
+    uint32_t pending;              /* event mode: an update is needed */
     uint32_t due;                  /* co-simulation: event mode must be entered */
     uint32_t ended;                /* the model has ended the simulation */
     uint32_t event_mode, early_return; /* FMI 3: what the importer uses */
@@ -185,7 +185,7 @@ lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n);
 lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n);
 lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n);
 lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n);
-lag_answer lag_shell_completed(lag_shell *shell, int *events, int *terminate);
+lag_answer lag_shell_completed(lag_shell *shell, int *events);
 size_t lag_shell_order(const lag_shell *shell);
 
 /* ---- stepping.c ---- */

@@ -24,10 +24,7 @@ lag_answer lag_shell_set_time(lag_shell *shell, double time)
     if (!lag_shell_is_time(shell, time, "the time")) {
         return LAG_ANSWER_ERROR;
     }
-    const lag_status status = lag_instance_set_time(shell->instance, time);
-    if (status != LAG_OK) {
-        return lag_shell_refused(shell, status);
-    }
+    lag_instance_set_time(shell->instance, time);
     shell->now.time = shell->now.reached = time;
     return LAG_ANSWER_OK;
 }
@@ -42,7 +39,8 @@ lag_answer lag_shell_set_states(lag_shell *shell, const double *x, size_t n)
             return lag_shell_say(shell, LAG_ANSWER_ERROR, "state %lu is infinite or not a number", (unsigned long)(i + 1));
         }
     }
-    return lag_shell_refused(shell, lag_instance_set_states(shell->instance, x));
+    lag_instance_set_states(shell->instance, x);
+    return LAG_ANSWER_OK;
 }
 
 lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n)
@@ -95,15 +93,9 @@ lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n)
     return LAG_ANSWER_OK;
 }
 
-lag_answer lag_shell_completed(lag_shell *shell, int *events, int *terminate)
+lag_answer lag_shell_completed(lag_shell *shell, int *events)
 {
-    *events = 0;
-    *terminate = 0;
-    const lag_status status = lag_instance_completed(shell->instance, events, terminate);
+    const lag_status status = lag_instance_completed(shell->instance, events);
     lag_shell_warn(shell);
-    if (status == LAG_OK && *terminate) {
-        shell->now.ended = 1;
-        lag_shell_note(shell, "the model ends the simulation at %.17g s", shell->now.time);
-    }
     return lag_shell_failed(shell, status);
 }

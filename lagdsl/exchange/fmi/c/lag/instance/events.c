@@ -1,0 +1,280 @@
+/*
+ * Events. A guard is a relation, a contact or dry friction; its value passes zero downward when it changes (lag/events/guards.h). In co-simulation the
+ * run finds the guards that leave their modes. In model exchange importers compare the signs of indicators at their steps, so an indicator is clearly
+ * of one sign behind every event:
+ *
+ * - An armed guard leaves a round-off behind zero; one that changes at zero itself, as `limit(u, -1, 1) >= 1` does, a part of that before zero,
+ *   because its value may never get behind.
+ * - One that an event leaves within its dead band, or behind zero, is not armed: it leaves so far behind zero as the event left it, and the band more.
+ *   The band is what the tolerance lets the value do.
+ * - It is armed once an importer has asked where it is farther before zero than that.
+ */
+#include "lag/instance/instance_internal.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "lag/linalg/arena.h"
+
+/* A guard that changes at zero leaves so early, as a part of its round-off. */
+static const double EARLY = 0.5;
+/* In event mode guards leave together that are nearer to the zeros of their indicators than so many round-offs; behind an event none is. */
+static const double TOGETHER = 4.0;
+/* An instant that lies so many roundings of the time behind the present is now. */
+static const double ROUNDINGS = 64.0;
+/* Importers find events so late at most, as a part of the experiment. */
+static const double LATE = 1e-9;
+
+/* ---- indicators ---- */
+
+/* True for a relation that the motion does not change. */
+static int is_held(const lag_fmu *fmu, size_t i)
+{
+    return fmu->held_relations != NULL && i < fmu->model->nindicator && fmu->held_relations[i];
+}
+
+size_t lag_instance_indicator_count(const lag_fmu *fmu)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < lag_guard_count(fmu->model); ++i) {
+        count += !is_held(fmu, i);
+    }
+    return count;
+}
+
+/* True for a relation that does not hold now. */
+static int is_false(const lag_instance *instance, size_t i)
+{
+    const lag_run *run = instance->run;
+    return i < instance->fmu->model->nindicator && run->motion.w[run->guards.places.relation + i] == 0.0;
+}
+
+/* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
+static int changes_at_zero(const lag_instance *instance, size_t i)
+{
+    const lag_model *model = instance->fmu->model;
+    return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
+}
+
+/* Guards that are off are infinite; FMI wants numbers. */
+static double value_of(const lag_instance *instance, size_t i)
+{
+    const double value = instance->run->guards.value[i];
+    return isinf(value) ? 1.0 : value;
+}
+
+/* FMI wants no indicator to be zero after an event; where no force acts, the force of a contact is zero, and so is its round-off. */
+static double round_off(const lag_instance *instance, size_t i)
+{
+    return fmax(DBL_MIN, lag_guards_noise(&instance->run->guards, i));
+}
+
+static double dead_band(const lag_instance *instance, size_t i)
+{
+    return fmax(round_off(instance, i), lag_guards_known(&instance->run->guards, i));
+}
+
+/* True if guard i has been clear of its dead band since the last event. */
+static int is_armed(const lag_instance *instance, size_t i)
+{
+    return instance->held.t > instance->guards.armed[i];
+}
+
+/* The way of guard i until it leaves; negative: it has left. */
+static double distance_to_leave(const lag_instance *instance, size_t i)
+{
+    const double sigma = round_off(instance, i);
+    const double before = lag_guards_touches(&instance->run->guards, i) ? dead_band(instance, i) : 0.0;
+    const double behind = is_armed(instance, i) ? -before : instance->guards.latched[i];
+    return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
+}
+
+lag_status lag_instance_find_indicators(lag_instance *instance)
+{
+    double *g = instance->values.g;
+    const size_t count = lag_guard_count(instance->fmu->model);
+    const lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
+    for (size_t i = 0; i < count; ++i) {
+        if (!is_held(instance->fmu, i)) {
+            *g++ = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
+        }
+        if (value_of(instance, i) > instance->guards.latched[i]) {
+            instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
+        }
+    }
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
+lag_status lag_instance_indicators(lag_instance *instance, double *g)
+{
+    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_INDICATORS);
+    memcpy(g, instance->values.g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+    return status;
+}
+
+/* An event has ended at the present state: what is within its dead band now, or behind zero, is no event until it goes further. */
+static lag_status disarm(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    const double t = instance->held.t;
+    instance->values.known = 0;
+    if (instance->fmu->model->nindicator > 0) {
+        lag_noise_find(&run->instants.noise, t, instance->x);
+    }
+    const lag_status status = lag_guards_begin(&run->guards, t, instance->x);
+    for (size_t i = 0; i < lag_guard_count(instance->fmu->model) && status == LAG_OK; ++i) {
+        instance->guards.latched[i] = dead_band(instance, i) + fmax(0.0, -value_of(instance, i));
+        instance->guards.armed[i] = value_of(instance, i) > instance->guards.latched[i] ? t : (double)INFINITY;
+    }
+    return status;
+}
+
+/* ---- event mode ---- */
+
+/*
+ * Guards that have left, flagged in `left`, beside those that are flagged. In co-simulation the run tells them. In model exchange the importer has led them to
+ * the other side, and others stay, however far behind zero; *flies: contacts among them were clear of their dead bands before; what the others do is rest.
+ */
+static lag_status find_left(lag_instance *instance, double t, double *left, int *flies)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_guards *guards = &instance->run->guards;
+    const int exchanged = instance->held.exchanged;
+    const size_t relations = model->nindicator;
+    const size_t count = lag_guard_count(model);
+    if (exchanged && relations > 0) {
+        lag_noise_find(guards->noise, t, instance->x); /* where the importer began, numbers may have been zero */
+    }
+    const lag_status status = count > 0 ? lag_guards_detect(guards, t, instance->x) : LAG_OK;
+    for (size_t i = 0; i < count && (status == LAG_OK || status == LAG_EVENT_PENDING); ++i) {
+        const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
+        const int leaves = exchanged ? distance_to_leave(instance, i) < near : guards->changed[i] != 0.0;
+        const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
+        left[i] = left[i] != 0.0 || leaves;
+        *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && is_armed(instance, i));
+        guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;
+    }
+    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
+/* The next instant that is known ahead; the stop, if it lies behind that by round-off. */
+static double next_instant(const lag_instance *instance)
+{
+    const lag_instants *instants = &instance->run->instants;
+    const double next = instance->fmu->model->event != NULL ? lag_instants_next(instants) : (double)INFINITY;
+    return next > instance->held.stop && lag_instants_due(instants, instance->held.stop) ? instance->held.stop : next;
+}
+
+/* The present, or an instant before the end that lies so shortly behind it that an importer could not go there by a step. */
+static double present(const lag_instance *instance)
+{
+    const double t = instance->held.t;
+    const double next = next_instant(instance);
+    const double same = ROUNDINGS * DBL_EPSILON * fmax(fabs(t), instance->run->instants.contacts.length);
+    return t < instance->held.stop && next - t <= same ? fmax(t, next) : t;
+}
+
+/*
+ * Places the run at time t and the present state and moves it onto the constraints down to round-off: a residual rate would act as an
+ * impact, and a residual gap would not be zero when its contact opens. If the run has located an event, it goes back to that
+ * event.
+ */
+static lag_status place(lag_instance *instance, double t, int located)
+{
+    lag_run *run = instance->run;
+    int moved = 0;
+    lag_status status = located ? lag_run_back(run, t) : LAG_OK;
+    if (status == LAG_OK) {
+        const double h = located ? run->half.next : run->stepper.h;
+        status = lag_run_move(run, t, located ? run->stepper.x : instance->x, h);
+    }
+    if (status == LAG_OK) {
+        status = lag_instance_balance_inputs(instance);
+    }
+    if (status == LAG_OK && lag_projection_exact(&run->projection, t, run->stepper.x, &moved) != LAG_OK) {
+        status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
+    }
+    if (status == LAG_OK) {
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+    }
+    return status;
+}
+
+/* The present state is the one behind an event, with what began there; `status` is how that went. */
+static lag_status leave(lag_instance *instance, lag_status status)
+{
+    if (status == LAG_OK || status == LAG_STOPPED) {
+        memcpy(instance->x, instance->run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        lag_instance_note_stop(instance, status);
+        status = disarm(instance);
+    }
+    return status == LAG_OK ? lag_run_count_turns(instance->run, instance->held.t, instance->x) : status;
+}
+
+lag_status lag_instance_enter_run(lag_instance *instance)
+{
+    return leave(instance, lag_run_enter(instance->run));
+}
+
+lag_status lag_instance_carry_out(lag_instance *instance)
+{
+    lag_held *held = &instance->held;
+    lag_run *run = instance->run;
+    const int located = run->half.open && run->half.own && run->half.t == held->t;
+    const double t = located ? held->t : present(instance);
+    const double h = located ? run->half.length : LAG_SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
+    const size_t count = lag_guard_count(instance->fmu->model);
+    int any = 0;
+    int flies = !held->exchanged;
+    instance->values.known = 0;
+    held->jumped = 1;
+    held->tied = 0;
+    lag_fill(located ? 0 : count, 0.0, run->half.pending);
+    /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
+    lag_status status = held->exchanged ? find_left(instance, t, run->half.pending, &flies) : LAG_OK;
+    status = status == LAG_OK ? place(instance, t, located) : status;
+    status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
+    any = lag_any(count, run->half.pending);
+    if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
+        status = lag_event_iteration_conditions(&run->instants.iteration, t, instance->x, &any);
+    }
+    if (status == LAG_OK && any) {
+        run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
+        run->instants.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
+        status = lag_run_instant(run, &(lag_cause){lag_run_due(run, t) ? LAG_CAUSE_TIME : LAG_CAUSE_GUARDS, h, run->half.pending});
+        run->instants.contacts.flight = run->instants.late = 0.0;
+    }
+    status = status == LAG_OK ? lag_run_ticks(run) : status;
+    return lag_instance_judge(instance, leave(instance, status));
+}
+
+lag_status lag_instance_update(lag_instance *instance, lag_update *told)
+{
+    double *before = instance->scratch.point;
+    const size_t count = lag_instance_order(instance);
+    lag_status status = lag_instance_begin(instance);
+    memcpy(before, instance->x, count * sizeof(double));
+    status = status == LAG_OK ? lag_instance_ready(instance) : status;
+    status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
+    status = status == LAG_OK ? lag_instance_carry_out(instance) : status;
+    *told = (lag_update){.next = next_instant(instance), .terminate = instance->held.stopped};
+    told->states_changed = memcmp(before, instance->x, count * sizeof(double)) != 0;
+    return status;
+}
+
+lag_status lag_instance_terminate(lag_instance *instance)
+{
+    lag_run *run = instance->run;
+    if (instance->held.phase == LAG_PHASE_START || instance->held.stopped) {
+        return LAG_OK;
+    }
+    lag_status status = lag_instance_ready(instance);
+    status = status == LAG_OK ? lag_run_move(run, instance->held.t, instance->x, 0.0) : status;
+    if (status == LAG_OK) {
+        status = lag_run_end(run);
+        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        instance->values.known = 0;
+    }
+    return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
+}
