@@ -45,7 +45,7 @@ BANNED = {
     "nonnegative": "nnls",
     "radau_turn": "radau_gmres",
     "rarely": "cold",
-    "courses": "input_polynomials",
+    "courses": "inputs",
     "faults": "messages",
     "observing": "lazy_evaluation",
     "slopes": "directional_derivatives",

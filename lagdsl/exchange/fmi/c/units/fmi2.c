@@ -11,5 +11,5 @@
 #include "lag/fmi2/fmi2_exchange.c"
 
 #include "lag/fmi2/fmi2_variables.c"
-#undef READABLE
-#undef WRITABLE
+#undef LAG_FMI_COUNT
+#undef LAG_FMI_ROOM

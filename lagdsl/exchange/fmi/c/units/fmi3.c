@@ -20,7 +20,6 @@
 #include "lag/fmi3/fmi3_fmu_state.c"
 
 #include "lag/fmi3/fmi3_variables.c"
+#undef LAG_FMI_COUNT
+#undef LAG_FMI_ROOM
 #undef LAG_NO_VARIABLES
-#undef LAG_VARIABLES
-#undef READABLE
-#undef WRITABLE

@@ -26,8 +26,6 @@
 #include "lag/instance/cosimulation.c"
 #undef begin
 
-#include "lag/instance/dependent_coordinates.c"
-
 #define find directional_find
 #define lay_out directional_lay_out
 #include "lag/instance/directional.c"
@@ -36,7 +34,9 @@
 
 #include "lag/instance/events.c"
 
+#define gather exchange_gather
 #include "lag/instance/exchange.c"
+#undef gather
 
 #include "lag/instance/inputs.c"
 
@@ -59,18 +59,18 @@
 #define FAULTS instance_start_FAULTS
 #define blamed instance_start_blamed
 #define find instance_start_find
+#define gather instance_start_gather
 #include "lag/instance/instance_start.c"
 #undef FAULTS
 #undef blamed
 #undef find
+#undef gather
 
 #define find lazy_evaluation_find
 #include "lag/instance/lazy_evaluation.c"
 #undef find
 
 #include "lag/instance/output_rates.c"
-
-#include "lag/instance/start_derivatives.c"
 
 #include "lag/instance/variables.c"
 
@@ -85,7 +85,6 @@
 #define fault fmu_state_fault
 #include "lag/shell/fmu_state.c"
 #undef FORMAT
-#undef HASH_BEGIN
 #undef fault
 
 #define take handle_take

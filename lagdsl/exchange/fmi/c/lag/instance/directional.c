@@ -1,6 +1,6 @@
 /*
  * Derivatives of variables, exact: a direction of the knowns, and how everything changes along it. Relations and contacts are held. Adjoint
- * ones are the same, known by known. Only where constraints decide about the start it takes differences (start_derivatives.c).
+ * ones are the same, known by known. Only where constraints decide about the start it takes differences (instance_start.c).
  */
 #include "lag/instance/instance_internal.h"
 
@@ -139,7 +139,7 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
         return status;
     }
     if (instance->held.phase == LAG_PHASE_MOTION) {
-        lag_instance_follow_direction(instance->fmu, d->x);
+        lag_instance_follow_states(instance->fmu, NULL, d->x);
     } else {
         status = follow_parameters(instance);
     }

@@ -6,7 +6,8 @@
  * - An armed guard leaves a round-off behind zero; one that changes at zero itself, as `limit(u, -1, 1) >= 1` does, a part of that before zero,
  *   because its value may never get behind.
  * - One that an event leaves within its dead band, or behind zero, is not armed: it leaves so far behind zero as the event left it, and the band more.
- *   The band is what the tolerance lets the value do.
+ *   The band is what the tolerance lets the value do. Importers may be less exact than they have told, or tell nothing: a guard that leaves
+ *   without having been armed gets a band that is larger by a factor.
  * - It is armed once an importer has asked where it is farther before zero than that.
  */
 #include "lag/instance/instance_internal.h"
@@ -21,6 +22,8 @@
 static const double EARLY = 0.5;
 /* In event mode guards leave together that are nearer to the zeros of their indicators than so many round-offs; behind an event none is. */
 static const double TOGETHER = 4.0;
+/* The band of a guard that has left without having been armed becomes so many times larger. */
+static const double WIDER = 4.0;
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
 /* Importers find events so late at most, as a part of the experiment. */
@@ -94,8 +97,9 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
 {
     double *g = instance->values.g;
     const size_t count = lag_guard_count(instance->fmu->model);
-    const lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
-    for (size_t i = 0; i < count; ++i) {
+    lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
+    status = status == LAG_EVENT_PENDING ? LAG_OK : status;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         if (!is_held(instance->fmu, i)) {
             *g++ = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
         }
@@ -103,7 +107,7 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
             instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
         }
     }
-    return status == LAG_EVENT_PENDING ? LAG_OK : status;
+    return status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -124,7 +128,8 @@ static lag_status disarm(lag_instance *instance)
     }
     const lag_status status = lag_guards_begin(&run->guards, t, instance->x);
     for (size_t i = 0; i < lag_guard_count(instance->fmu->model) && status == LAG_OK; ++i) {
-        instance->guards.latched[i] = dead_band(instance, i) + fmax(0.0, -value_of(instance, i));
+        const double behind = dead_band(instance, i) + fmax(0.0, -value_of(instance, i));
+        instance->guards.latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->guards.latched[i]);
         instance->guards.armed[i] = value_of(instance, i) > instance->guards.latched[i] ? t : (double)INFINITY;
     }
     return status;
@@ -151,6 +156,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
         const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
         const int leaves = exchanged ? distance_to_leave(instance, i) < near : guards->changed[i] != 0.0;
         const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
+        instance->guards.latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
         left[i] = left[i] != 0.0 || leaves;
         *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && is_armed(instance, i));
         guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;

@@ -1,4 +1,4 @@
-/* Model exchange: the importer integrates. */
+/* Model exchange: the importer integrates the states. Coordinates that constraints with constant coefficients tie to others are none, and follow. */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
@@ -6,6 +6,56 @@
 /* Stabilized accelerations keep residuals of constraints within so many tolerances of the importer, or this if it is less. */
 static const double KEPT = 100.0;
 static const double MOST_KEPT = 1e-4;
+
+/* ---- dependent coordinates ---- */
+
+/* Sum of the terms of dependent coordinate `i`, in coordinates or in rates. */
+static double terms(const lag_fmu *fmu, size_t i, const double *values)
+{
+    double sum = 0.0;
+    for (size_t k = fmu->dependents.term_first[i]; k < fmu->dependents.term_first[i + 1]; ++k) {
+        sum += fmu->dependents.term_weight[k] * values[fmu->dependents.term_of[k]];
+    }
+    return sum;
+}
+
+void lag_instance_tie(lag_instance *instance)
+{
+    const lag_fmu *fmu = instance->fmu;
+    for (size_t i = 0; i < fmu->dependents.count && !instance->held.tied; ++i) {
+        instance->offsets[i] = instance->x[fmu->dependents.coordinates[i]] - terms(fmu, i, instance->x);
+    }
+    instance->held.tied = 1;
+}
+
+void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, double *x)
+{
+    double *rates = x + fmu->model->nq;
+    for (size_t i = 0; i < fmu->dependents.count; ++i) {
+        x[fmu->dependents.coordinates[i]] = (offsets != NULL ? offsets[i] : 0.0) + terms(fmu, i, x);
+        rates[fmu->dependents.coordinates[i]] = terms(fmu, i, rates);
+    }
+}
+
+/* ---- states ---- */
+
+size_t lag_instance_state_count(const lag_fmu *fmu)
+{
+    return fmu->states.entries == NULL ? lag_motion_size(fmu->model) : fmu->states.count;
+}
+
+size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i)
+{
+    return fmu->states.entries == NULL ? i : fmu->states.entries[i];
+}
+
+/* Entries of x (2 nq + nz) that are states of the FMU. */
+static void gather(const lag_fmu *fmu, const double *x, double *states)
+{
+    for (size_t i = 0; i < lag_instance_state_count(fmu); ++i) {
+        states[i] = x[lag_instance_state_entry(fmu, i)];
+    }
+}
 
 void lag_instance_set_time(lag_instance *instance, double t)
 {
@@ -20,19 +70,19 @@ void lag_instance_set_states(lag_instance *instance, const double *x)
     for (size_t i = 0; i < lag_instance_state_count(instance->fmu); ++i) {
         instance->x[lag_instance_state_entry(instance->fmu, i)] = x[i];
     }
-    lag_instance_follow_states(instance);
+    lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
     instance->values.known = 0;
 }
 
 void lag_instance_states(const lag_instance *instance, double *x)
 {
-    lag_instance_gather_states(instance->fmu, instance->x, x);
+    gather(instance->fmu, instance->x, x);
 }
 
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
     const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
-    lag_instance_gather_states(instance->fmu, instance->values.xd, xd);
+    gather(instance->fmu, instance->values.xd, xd);
     return status;
 }
 

@@ -6,7 +6,6 @@
 #define LAG_PARTS_H
 
 #include "lag/derivatives.h"
-#include "lag/initial.h"
 #include "lag/instance/instance.h"
 #include "lag/run.h"
 
@@ -141,16 +140,12 @@ double lag_instance_rate(const lag_instance *instance);
 /* The run anew, with the tolerance and the length of the experiment. */
 void lag_instance_renew(lag_instance *instance);
 
-/* ---- dependent_coordinates.c ---- */
+/* ---- exchange.c ---- */
 
 /* Offsets of dependent coordinates at the present state, unless they are known. */
 void lag_instance_tie(lag_instance *instance);
-/* Dependent entries of x follow from the states; lag_instance_tie() comes before these are changed. */
-void lag_instance_follow_states(lag_instance *instance);
-/* The same in a direction x (2 nq + nz) from a state. */
-void lag_instance_follow_direction(const lag_fmu *fmu, double *x);
-/* Entries of x (2 nq + nz) that are states of the FMU. */
-void lag_instance_gather_states(const lag_fmu *fmu, const double *x, double *states);
+/* Dependent entries of x (2 nq + nz) follow from the states, before whose change lag_instance_tie() comes; without offsets x is a direction. */
+void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, double *x);
 
 /* ---- instance_messages.c ---- */
 
@@ -165,8 +160,12 @@ void lag_instance_note_stop(lag_instance *instance, lag_status status);
 
 /* In the start phase: the state that follows from what was set, with what happens there. */
 lag_status lag_instance_begin_at(lag_instance *instance);
-/* The start into x (2 nq + nz), so far `along` the direction in `derivatives`, from the parameters told->p (np); inputs of the run are those there. */
-lag_status lag_instance_find_start(lag_instance *instance, double along, double *x, lag_initial *told);
+/*
+ * Change of the start along the direction in `derivatives`, written into its states; below, the doubles of `slopes` that
+ * this takes.
+ */
+lag_status lag_instance_start_slopes(lag_instance *instance);
+size_t lag_instance_start_slopes_memory(const lag_model *model);
 
 /* ---- lazy_evaluation.c ---- */
 
@@ -186,15 +185,6 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
 
 /* Doubles of `slopes`. */
 size_t lag_instance_slopes(const lag_model *model);
-
-/* ---- start_derivatives.c ---- */
-
-/*
- * Change of the start along the direction in `derivatives`, written into its states; below, the doubles of `slopes` that
- * this takes.
- */
-lag_status lag_instance_start_slopes(lag_instance *instance);
-size_t lag_instance_start_slopes_memory(const lag_model *model);
 
 /* ---- inputs.c ---- */
 

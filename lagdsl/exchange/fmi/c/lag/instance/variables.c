@@ -111,7 +111,7 @@ static int put_states(lag_instance *instance, const lag_variable *variable, cons
     if (instance->held.phase == LAG_PHASE_MOTION) {
         lag_instance_tie(instance);
         changed = put(variable->count, values, instance->x + variable->first);
-        lag_instance_follow_states(instance);
+        lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
         return changed;
     }
     for (size_t i = 0; i < variable->count; ++i) {

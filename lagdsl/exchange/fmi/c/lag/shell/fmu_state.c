@@ -6,7 +6,9 @@
 
 #include <string.h>
 
-#define FORMAT UINT64_C(1)
+#include "lag/serialization.h"
+
+#define FORMAT UINT64_C(2)
 
 typedef struct head {
     uint64_t format, size, token, check; /* the check is that of all bytes with itself zero */
@@ -27,18 +29,6 @@ static unsigned char *bytes_of(lag_fmu_state *state)
     return (unsigned char *)state + sizeof *state;
 }
 
-/* FNV-1a, 64 bits. */
-static uint64_t hash(uint64_t seed, const unsigned char *bytes, size_t count)
-{
-    uint64_t value = seed;
-    for (size_t i = 0; i < count; ++i) {
-        value = (value ^ bytes[i]) * UINT64_C(0x100000001b3);
-    }
-    return value;
-}
-
-#define HASH_BEGIN UINT64_C(0xcbf29ce484222325)
-
 static uint64_t check_of(const head *given, const unsigned char *bytes, size_t count)
 {
     head copy;
@@ -46,12 +36,12 @@ static uint64_t check_of(const head *given, const unsigned char *bytes, size_t c
     copy.check = 0;
     unsigned char first[sizeof copy];
     memcpy(first, &copy, sizeof copy);
-    return hash(hash(HASH_BEGIN, first, sizeof first), bytes, count);
+    return lag_record_sum(first, sizeof first) ^ lag_record_sum(bytes, count);
 }
 
 static uint64_t token_of(const lag_shell *shell)
 {
-    return hash(HASH_BEGIN, (const unsigned char *)shell->fmu->token, strlen(shell->fmu->token));
+    return lag_record_sum((const unsigned char *)shell->fmu->token, strlen(shell->fmu->token));
 }
 
 static size_t serialized(const lag_shell *shell)
