@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 import zlib
 from base64 import b64encode
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -101,7 +101,7 @@ def _derivation(flat: FlatModel, compilation: Compilation | None) -> str:
 
 def html_of(
     flat: FlatModel,
-    head: Json,
+    head: Mapping[str, Json],
     motions: Sequence[Trajectory],
     model_tape: bytes,
     arrow_tape: bytes = b"",
@@ -118,16 +118,14 @@ def html_of(
         f"default-src 'none'; script-src 'sha256-{allowed}' blob: 'wasm-unsafe-eval'; worker-src blob:; "
         "style-src 'unsafe-inline'; img-src data: blob:; media-src blob:"
     )
-    tabs = "".join(
-        f'<button role="tab" id="{name}-tab" aria-controls="{name}-panel">{title}</button>'
-        for name, title in _TABS.items()
-    )
+    titles = {**_TABS, "sliders": "Modes"} if "modes" in head else _TABS
     inside = {"derivation": f'{_UNITS}<div id="derivation">{derivation}</div>', "table": _TABLE}
     panels = "".join(
-        f'<div role="tabpanel" id="{name}-panel" aria-labelledby="{name}-tab" tabindex="0">'
+        f'<label class="tab"><input type="radio" name="panel" id="{name}-tab"{" checked" * (name == "sliders")}>'
+        f'{title}</label><section class="panel" id="{name}-panel" aria-label="{title}" tabindex="0">'
         + inside.get(name, f'<div id="{name}"></div>')
-        + "</div>"
-        for name in _TABS
+        + "</section>"
+        for name, title in titles.items()
     )
     doc = f"<p>{escape(flat.doc)}</p>" if flat.doc else ""
     data = {
@@ -155,8 +153,7 @@ def html_of(
 <div id="tools" role="toolbar" aria-label="Picture"></div>
 <div id="stage"><div id="pointed"></div><div id="legend"></div></div>
 <div id="player"></div>
-<main id="panels"><div role="tablist" aria-label="Panels">{tabs}</div>
-{panels}
+<main id="panels">{panels}
 <p id="said" role="status"></p></main>
 <noscript>The machine moves with JavaScript only; its equations stand above.</noscript>
 <script type="application/json" id="head">{_json(head)}</script>

@@ -79,7 +79,13 @@ def test_the_page_begins_with_the_sliders_and_curves_of_its_annotation(opened: O
 def test_space_plays_whatever_has_the_focus(opened: Opened) -> None:
     page = opened.page
     play = page.locator("button.play")
-    for focus in ("#curves-tab", "#sliders input[type=range]", "#sliders input[type=number]", ".menu summary", "body"):
+    for focus in (
+        "#curves-tab",
+        "#sliders input[type=range]",
+        "#sliders input[type=number]",
+        "button:has(+ .menu)",
+        "body",
+    ):
         if focus == "body":
             page.evaluate("document.activeElement.blur()")
         else:
@@ -153,6 +159,25 @@ def test_two_motions_stand_side_by_side_and_behind_each_other(opened: Opened) ->
     integrated(page)
 
 
+def test_ghosts_are_pale_and_go_again(opened: Opened) -> None:
+    page = opened.page
+    pale = """() => {
+        const from = document.querySelector('#stage canvas');
+        const pen = Object.assign(document.createElement('canvas'), { width: 200, height: 100 }).getContext('2d');
+        pen.drawImage(from, 0, 0, 200, 100);
+        const { data } = pen.getImageData(0, 0, 200, 100);
+        return [...Array(20000).keys()].filter((i) => data[4 * i] > 150 && data[4 * i + 2] > data[4 * i] + 30).length;
+    }"""
+    page.keyboard.press("Home")
+    found = []
+    for _ in range(3):
+        page.wait_for_timeout(600)
+        found.append(page.evaluate(pale))
+        page.keyboard.press("g")
+    assert found[1] > 10 * max(found[0], found[2], 1)
+    page.keyboard.press("g")
+
+
 def test_it_is_presented_by_keys_alone(opened: Opened) -> None:
     page = opened.page
     page.keyboard.press("p")
@@ -184,12 +209,12 @@ def test_a_start_that_cannot_be_is_told_and_the_picture_grey(browser: Any, tmp_p
     path.write_text(page_of("bouncing_ball"), encoding="utf-8")
     opened = Opened(browser, path)
     page = opened.page
-    ticks = page.locator(".ticks i").count()
+    ticks = page.locator(".track .ticks i").count()
     height = page.get_by_label("h.start in m", exact=True)
     height.fill("0.5")
     height.press("Enter")
     integrated(page)
-    more = page.locator(".ticks i")
+    more = page.locator(".track .ticks i")
     assert more.count() > 3 and more.count() != ticks
     assert "floor" in str(more.first.get_attribute("title"))
     height.fill("-0.5")

@@ -54,11 +54,11 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     assert clock.inner_text() == "0.05 s"
     page.keyboard.press("End")
     assert clock.inner_text() == "5.00 s"
-    for tab in page.locator("[role=tab]").all():
+    for tab in page.locator("[name=panel]").all():
         tab.click()
-        panel = page.locator(f"#{tab.get_attribute('aria-controls')}")
+        panel = page.locator(f".tab:has(#{tab.get_attribute('id')}) + .panel")
         assert panel.is_visible()
-        assert page.locator("[role=tabpanel]:visible").count() == 1
+        assert page.locator(".panel:visible").count() == 1
     for name in ("frames", "fit", "ghosts", "keys"):
         page.get_by_role("button", name=name, exact=True).click()
     for name in ("v", "a", "∂r/∂q", "reactions"):
@@ -74,7 +74,7 @@ def test_every_control_does_its_work(browser: Any, tmp_path: Path) -> None:
     assert speeds.get_attribute("aria-pressed") == "false"  # the button switched them on, the key off
     saved = {}
     for name, suffix in (("PNG", ".png"), ("SVG", ".svg"), ("GIF", ".gif"), ("CSV", ".csv")):
-        page.locator(".menu summary").click()
+        page.get_by_role("button", name="save", exact=True).click()
         with page.expect_download(timeout=MOST_MILLISECONDS) as download:
             page.get_by_role("button", name=name, exact=True).click()
         assert download.value.suggested_filename == f"FourBar{suffix}"
@@ -194,7 +194,9 @@ def test_clocks_are_a_density_to_the_end_and_no_red_band(browser: Any, tmp_path:
     path = tmp_path / "page.html"
     path.write_text(page_of("furuta_swing_up"), encoding="utf-8")
     page = Opened(browser, path).page
-    shades = page.evaluate("[...document.querySelectorAll('.ticks b')].map((part) => parseFloat(part.style.opacity))")
+    shades = page.evaluate(
+        "[...document.querySelectorAll('.track .ticks b')].map((part) => parseFloat(part.style.opacity))"
+    )
     assert len(shades) == 100 and min(shades) > 0.0
     assert page.locator(".ticks i.tick").count() == 0
     page.close()
@@ -286,13 +288,15 @@ def test_modes_move_and_have_their_root_locus_beside(browser: Any, tmp_path: Pat
     opened = Opened(browser, path)
     page = opened.page
     assert opened.ready() == "recorded" and opened.colors() > 3
-    assert page.locator(".locus svg").count() == 3
+    assert page.locator(".locus .uplot").count() == 3
     assert "flutter" in page.locator(".locus li").first.inner_text()
+    page.locator(".locus .u-over").first.hover()
+    playwright.expect(page.locator(".locus .u-value").first).to_contain_text("P = ")
     clock = page.locator(".clock").inner_text()
     page.locator(".modes button").nth(1).click()
     page.get_by_label("Amplitude").select_option(label="amplitude: large")
     playwright.expect(page.locator(".clock")).not_to_have_text(clock)
-    assert page.locator("#sliders > details:visible").count() == 0
+    assert page.locator("#sliders > :not(#runs):visible").count() == 0
     assert opened.faults == []
     page.close()
 

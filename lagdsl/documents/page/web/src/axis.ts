@@ -1,6 +1,6 @@
 // Axes and inks of all charts.
 import type uPlot from "uplot";
-import { ticks } from "./numbers.ts";
+import { extremes, ticks } from "./numbers.ts";
 
 export const INKS = ["#2563eb", "#dc2626", "#16a34a", "#d97706", "#7c3aed", "#0891b2", "#db2777", "#65a30d"];
 
@@ -34,11 +34,10 @@ export function curve(plot: uPlot, x: ArrayLike<number>, y: ArrayLike<number>, i
 
 export function axis(label: string): uPlot.Axis {
   const style = getComputedStyle(document.documentElement);
-  const ink = style.getPropertyValue("--ink-soft").trim();
-  const grid = { stroke: style.getPropertyValue("--line").trim(), width: 1 };
+  const grid = { stroke: style.getPropertyValue("--line"), width: 1 };
   return {
     label,
-    stroke: ink,
+    stroke: style.getPropertyValue("--ink-soft"),
     grid,
     ticks: grid,
     labelSize: 18,
@@ -54,9 +53,11 @@ export function upright(label: string): uPlot.Axis {
   return { ...axis(label), size };
 }
 
-/** A range with an edge. Round-off fills no chart: ticks closer than the digits of a number cannot be placed. */
-export function edged(low: number, high: number): [number, number] {
+/** The range of columns, with an edge. Round-off fills no chart: ticks closer than the digits of a number cannot be placed. */
+export function edged(columns: readonly ArrayLike<number>[]): [number, number] {
+  const [low, high] = columns.reduce<[number, number]>((ends, column) => extremes(Array.from(column), ...ends), [Infinity, -Infinity]);
+  if (low > high) return [0, 1];
   const size = Math.max(Math.abs(low), Math.abs(high));
-  const edge = Math.max(0.06 * (high - low), high - low < 1e-6 * size ? 1e-3 * size : 0, 1e-12);
+  const edge = Math.max(0.06 * (high - low), high - low < 1e-6 * size ? 1e-3 * size : 0) || 1;
   return [low - edge, high + edge];
 }

@@ -1,42 +1,53 @@
-// Curves over time and the energy, with a common cursor.
+// Charts of columns: over time, with a common cursor, and one over another, as a phase portrait or a path.
 import uPlot from "uplot";
-import { axis, curve, edged, INKS, inside, sizeIn, upright } from "./axis.ts";
-import { make } from "./dom.ts";
-import type { Occurrence, Head } from "./head.ts";
+import { axis, curve, edged, INKS, sizeIn, upright } from "./axis.ts";
+import { choice, make } from "./dom.ts";
+import type { Column, Head, Occurrence } from "./head.ts";
 import type { Motion } from "./motion.ts";
-import { apart, density, extremes, written } from "./numbers.ts";
-import { Portrait } from "./portrait.ts";
+import { written } from "./numbers.ts";
+import { ticks } from "./ticks.ts";
 
 const AT_FIRST = 4;
+const LONGEST_NAME = 20;
 const HEIGHT = 190;
-const MARKS = 7; // height of marks of events
+const HEIGHT_OF_PORTRAIT = 240;
 const PALE = "rgb(148 163 184 / 45%)";
 
-type Chart = [plot: uPlot, data: (motion: Motion) => Float64Array[]]; // time, then the curves
+/** Of what goes to the right and upward. */
+type Chart = { plot: uPlot; data: (motion: Motion) => Float64Array[] };
 
 export class Curves {
-  private charts: Chart[] = [];
-  private readonly chosen: Set<number>; // columns
+  private charts: Chart[] = []; // the portrait is the last one
+  private readonly columns: Pick<Column, "name" | "display">[];
+  private readonly chosen: Set<number>; // columns over time
   private readonly board = make("div");
-  private readonly portrait: Portrait;
+  private readonly portrait = make("div");
+  private readonly across: HTMLSelectElement[]; // columns of the portrait: to the right, and upward
   private events: Occurrence[];
-  private family: Motion[] = [];
+  private family: Motion[] = []; // other runs, which stand pale behind the one that is shown
   private time = 0;
   private seen = false;
 
-  constructor(private readonly head: Head, private motion: Motion, place: HTMLElement, private readonly sought: (time: number) => void) {
+  constructor(head: Head, private motion: Motion, place: HTMLElement, private readonly sought: (time: number) => void) {
     this.events = head.events;
+    const energy = head.scene.first + head.scene.count;
     const all = [...head.columns.keys()].slice(1, head.scene.first); // but the time, and those of the scene
+    this.columns = [...head.columns];
+    this.columns[energy] = { name: "energy", display: { unit: "J", scale: 1, shift: 0 } };
     const own = all.filter((index) => head.curves.includes(head.columns[index].name));
     const coordinates = all.filter((index) => head.columns[index].kind === "coordinate");
-    this.chosen = new Set(own.length > 0 ? own : (coordinates.length > 0 ? coordinates : all).slice(0, AT_FIRST));
-    const choices = all.map((index) => this.choice(index));
-    place.append(make("details", {}, make("summary", { textContent: "Choose curves" }), ...choices), this.board);
-    this.portrait = new Portrait(head, motion, place);
+    this.chosen = new Set([energy, ...(own.length > 0 ? own : (coordinates.length > 0 ? coordinates : all).slice(0, AT_FIRST))]);
+    const choices = all.map((index) => this.choice(index, head.columns[index].doc ?? ""));
+    const [right, up] = coordinates.length > 0 ? [1, 1 + coordinates.length] : [Math.min(1, all.length), all.length];
+    const names = [0, ...all].map((index) => head.columns[index].name);
+    this.across = [["to the right", right] as const, ["upward", up] as const].map(([way, first]) =>
+      choice(`Column of the portrait, ${way}`, names, first, () => this.rebuild()));
+    place.append(
+      make("details", {}, make("summary", { textContent: "Choose curves" }), ...choices), this.board,
+      make("p", { className: "portrait", hidden: all.length === 0 }, this.across[1], " over ", this.across[0]), this.portrait);
     new ResizeObserver(([{ contentRect }]) => {
       this.seen = contentRect.width > 0;
-      for (const [plot] of this.charts) plot.setSize(sizeIn(this.board, HEIGHT));
-      this.portrait.resize();
+      for (const { plot } of this.charts) plot.setSize(sizeIn(this.board, plot.height));
       queueMicrotask(() => this.point(this.time)); // plots take their new sizes in a microtask, too
     }).observe(place);
     window.addEventListener("beforeprint", () => {
@@ -46,105 +57,89 @@ export class Curves {
     this.rebuild();
   }
 
-  private choice(index: number): HTMLElement {
-    const { name, doc, display: { unit } } = this.head.columns[index];
+  private choice(index: number, title: string): HTMLElement {
+    const { name, display: { unit } } = this.columns[index];
     const box = make("input", { type: "checkbox", checked: this.chosen.has(index) });
     box.onchange = () => {
-      if (box.checked) this.chosen.add(index);
-      else this.chosen.delete(index);
+      if (!this.chosen.delete(index)) this.chosen.add(index);
       this.rebuild();
     };
-    return make("label", { className: "choice", title: doc ?? "" }, box, unit ? `${name} [${unit}]` : name);
+    return make("label", { className: "choice", title }, box, unit ? `${name} [${unit}]` : name);
   }
 
-  /** A chart for each unit among the chosen columns, one of the energy. */
+  /** A chart for each unit among the chosen columns, and the portrait. */
   private rebuild(): void {
-    for (const [plot] of this.charts) plot.destroy();
-    this.charts = [];
-    const { columns, scene } = this.head;
+    for (const { plot } of this.charts) plot.destroy();
     const chosen = [...this.chosen].sort((a, b) => a - b);
-    for (const unit of new Set(chosen.map((index) => columns[index].display.unit))) {
-      const members = chosen.filter((index) => columns[index].display.unit === unit);
-      this.add(unit, members.map((index) => columns[index].name), (motion) =>
-        [motion.column(0), ...members.map((index) => motion.shown(columns, index))]);
-    }
-    this.add("J", ["energy"], (motion) => [motion.column(0), motion.column(scene.first + scene.count)]);
+    const unit = (index: number): string => this.columns[index].display.unit;
+    const units = [...new Set(chosen.map(unit))];
+    const [right, up] = this.across.map(({ selectedIndex }) => selectedIndex);
+    this.charts = [...units.map((each) => this.chart(0, chosen.filter((index) => unit(index) === each))), this.chart(right, [up], true)];
+    this.show(this.motion, this.events);
     this.point(this.time);
   }
 
-  /** Ticks of events below, other runs behind. */
-  private underlay(plot: uPlot, data: Chart[1]): void {
-    for (const [times, ...columns] of this.family.map(data)) for (const column of columns) curve(plot, times, column, PALE, 1);
-    const { bbox: { left, top, width, height }, scales: { x: { min: start = 0, max: stop = 1 } } } = plot;
-    const high = MARKS * window.devicePixelRatio;
-    const often = density(this.events, start, stop);
-    inside(plot, (pen) => {
-      pen.fillStyle = "#64748b";
-      often.forEach((part, k) => {
-        pen.globalAlpha = 0.5 * part;
-        pen.fillRect(left + (width * k) / often.length, top + height - high, width / often.length, high);
-      });
-      pen.globalAlpha = 1;
-      pen.fillStyle = "#dc2626";
-      for (const { time } of apart(this.events, start, stop)) {
-        pen.fillRect(plot.valToPos(time, "x", true), top + height - high, window.devicePixelRatio, high);
-      }
-    });
-  }
-
-  private add(unit: string, names: string[], data: Chart[1]): void {
-    /** The range of all runs. */
-    const range = (_: uPlot, low: number | null, high: number | null): [number, number] =>
-      edged(...this.family.flatMap((other) => data(other).slice(1)).reduce<[number, number]>(
-        (ends, column) => extremes(column, ...ends), [low ?? 0, high ?? 1]));
-    const curves = names.map((label, i) => ({
-      label, stroke: INKS[i % INKS.length], width: 1.5, value: (_: uPlot, x: number | null) => told(x, unit),
+  private chart(right: number, up: number[], portrait = false): Chart {
+    const data = (motion: Motion): Float64Array[] => [right, ...up].map((index) => motion.shown(this.columns, index));
+    const label = (index: number): string => {
+      const { name, display } = this.columns[index];
+      const unit = `[${display.unit || "1"}]`;
+      return portrait && name.length <= LONGEST_NAME ? `${name} ${unit}` : unit; // legend and choices tell the name, too
+    };
+    /** Of all runs. */
+    const range = (from: number, to?: number) => (plot: uPlot): [number, number] =>
+      edged([plot.data, ...this.family.map(data)].flatMap((columns) => (columns as Float64Array[]).slice(from, to)));
+    const series = [right, ...up].map((index, i): uPlot.Series => ({
+      label: this.columns[index].name,
+      stroke: INKS[(i + INKS.length - 1) % INKS.length],
+      width: 1.5,
+      value: (_, value: number | null) => `${written(value ?? NaN, 5)} ${this.columns[index].display.unit}`,
+      ...(portrait && { paths: () => null }),
     }));
-    const seek = (plot: uPlot): void => {
-      if (plot.cursor.left !== undefined && plot.cursor.left >= 0) this.sought(plot.posToVal(plot.cursor.left, "x"));
+    const draw = (plot: uPlot): void => {
+      for (const [x, ...columns] of this.family.map(data)) for (const column of columns) curve(plot, x, column, PALE, 1);
+      if (portrait) curve(plot, ...(plot.data as unknown as [Float64Array, Float64Array]), INKS[0], 1.5);
     };
     const plot = new uPlot(
       {
-        ...sizeIn(this.board, HEIGHT),
-        scales: { x: { time: false }, y: { range } },
-        axes: [{ ...axis("t [s]"), size: 40 }, upright(unit === "" ? "" : `[${unit}]`)],
-        cursor: { sync: { key: "time" }, drag: { x: false, y: false } },
-        series: [{ label: "t", value: (_, t) => told(t, "s") }, ...curves],
-        hooks: {
-          ready: [(made) => made.over.addEventListener("click", () => seek(made))],
-          drawAxes: [(made) => this.underlay(made, data)],
-        },
+        ...sizeIn(this.board, portrait ? HEIGHT_OF_PORTRAIT : HEIGHT),
+        scales: { x: { time: false, ...(portrait && { range: range(0, 1) }) }, y: { range: range(1) } },
+        axes: [{ ...axis(portrait ? label(right) : "t [s]"), size: 40 }, upright(label(up[0]))],
+        cursor: portrait
+          ? { x: false, y: false, dataIdx: () => this.motion.rowAt(this.time), points: { size: 9, fill: "#dc2626" } }
+          : { sync: { key: "time" }, drag: { x: false, y: false } },
+        legend: { show: !portrait },
+        series,
+        hooks: { drawAxes: [draw] },
       },
       data(this.motion) as uPlot.AlignedData,
-      this.board,
+      portrait ? this.portrait : this.board,
     );
-    this.charts.push([plot, data]);
+    if (!portrait) plot.over.append(make("div", { className: "ticks" }));
+    plot.over.onclick = () => this.sought(plot.posToVal(plot.cursor.left ?? 0, "x"));
+    return { plot, data };
   }
 
   /** Another motion with its events. */
   show(motion: Motion, events: Occurrence[]): void {
     this.motion = motion;
     this.events = events;
-    for (const [plot, data] of this.charts) plot.setData(data(motion) as uPlot.AlignedData);
-    this.portrait.show(motion);
+    for (const { plot, data } of this.charts) plot.setData(data(motion) as uPlot.AlignedData);
+    if (motion.count === 0) return;
+    for (const place of this.board.querySelectorAll(".ticks")) place.replaceChildren(...ticks(events, motion.at(0, 0), motion.last));
   }
 
-  /** Other runs, which stand pale behind the one that is shown. */
   behind(family: Motion[]): void {
     this.family = family;
     this.rebuild();
   }
 
-  /** The cursor of all charts over time. */
+  /** The present moment. */
   point(time: number): void {
     this.time = time;
     if (!this.seen) return;
-    for (const [plot] of this.charts) plot.setCursor({ left: plot.valToPos(time, "x"), top: -10 }, false);
-    this.portrait.point(time);
+    const over = this.charts.slice(0, -1);
+    for (const { plot } of over) plot.setCursor({ left: plot.valToPos(time, "x"), top: -10 }, false);
+    this.charts.at(-1)?.plot.setCursor({ left: 0, top: 0 }, false);
   }
-}
-
-/** A value with its unit, as the cursor reads it. */
-function told(value: number | null, unit: string): string {
-  return value === null || !Number.isFinite(value) ? "–" : `${written(value, 5)} ${unit}`;
 }

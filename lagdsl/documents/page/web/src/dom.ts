@@ -1,4 +1,4 @@
-// Elements with their properties and what is in them; buttons and menus of them.
+// Elements with their properties and what is in them.
 
 /** ARIA attributes are properties, too: `ariaLabel`. */
 export function make<Tag extends keyof HTMLElementTagNameMap>(
@@ -12,18 +12,10 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
 }
 
 /** A choice of one of some words by its number; what is chosen at first is told nobody. */
-export function choice(ariaLabel: string, words: readonly string[], chosen: number, act: (number: number) => void): HTMLSelectElement {
+export function choice(ariaLabel: string, words: readonly string[], chosen: number, act?: (number: number) => void): HTMLSelectElement {
   const options = words.map((text, i) => new Option(text, `${i}`, i === chosen, i === chosen));
   const made = make("select", { ariaLabel }, ...options);
-  made.onchange = () => act(made.selectedIndex);
-  return made;
-}
-
-/** An element of a drawing, with its attributes. */
-export function drawn(tag: string, given: Record<string, string | number>, text = ""): SVGElement {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [key, value] of Object.entries(given)) made.setAttribute(key, `${value}`);
-  made.textContent = text;
+  made.onchange = () => act?.(made.selectedIndex);
   return made;
 }
 
@@ -33,24 +25,13 @@ export function place(id: string): HTMLElement {
   return found;
 }
 
-/** Adds a button with its words, what it does in words, and what it does. */
-export type Buttons = (words: string, title: string, act: () => void) => HTMLButtonElement;
-
-export function buttons(bar: HTMLElement): Buttons {
-  return (words, title, act) => {
-    const made = make("button", { textContent: words, title, onclick: act });
-    bar.append(made);
-    return made;
-  };
+/** A button with its words, what it does in words, what it does, and the key that does it, too. */
+export function button(textContent: string, title: string, onclick: () => void, ariaKeyShortcuts: string | null = null): HTMLButtonElement {
+  return make("button", { textContent, title, onclick, ariaKeyShortcuts });
 }
 
-/** The place for the buttons of a menu, which closes after a choice and when somebody points elsewhere. */
-export function menu(bar: HTMLElement, words: string): HTMLElement {
-  const list = make("div", { onclick: () => (made.open = false) });
-  const made = make("details", { className: "menu" }, make("summary", { textContent: words }), list);
-  bar.append(made);
-  document.addEventListener("pointerdown", (event) => {
-    if (!(event.target instanceof Node && made.contains(event.target))) made.open = false;
-  });
-  return list;
+/** A menu of buttons, which closes after a choice and when somebody points elsewhere. */
+export function menu(words: string, ...inside: HTMLButtonElement[]): HTMLElement[] {
+  const list = make("div", { className: "menu", popover: "auto", onclick: () => list.hidePopover() }, ...inside);
+  return [make("button", { textContent: words, popoverTargetElement: list }), list];
 }

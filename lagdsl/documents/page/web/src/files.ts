@@ -23,14 +23,16 @@ export function table(motion: Motion, head: Head): Blob {
   return new Blob([`${lines.join("\n")}\n`], { type: "text/csv" });
 }
 
-/** Records the canvas while it plays; the returned function ends that, and `made` is told the film. */
-export function film(canvas: HTMLCanvasElement, made: (blob: Blob) => void): () => void {
-  const parts: Blob[] = [];
-  const recorder = new MediaRecorder(canvas.captureStream(60), { mimeType: "video/webm" });
-  recorder.ondataavailable = (event) => parts.push(event.data);
-  recorder.onstop = () => made(new Blob(parts, { type: "video/webm" }));
-  recorder.start();
-  return () => recorder.stop();
+/** Begins to record the canvas, or ends that, and then tells the film; true while it records. */
+export function recorder(canvas: HTMLCanvasElement, made: (film: Blob) => void): () => boolean {
+  let found: MediaRecorder | undefined;
+  return () => {
+    found ??= new MediaRecorder(canvas.captureStream(60), { mimeType: "video/webm" });
+    found.ondataavailable = ({ data }) => made(data); // once, at the end
+    if (found.state === "inactive") found.start();
+    else found.stop();
+    return found.state !== "inactive";
+  };
 }
 
 /** A GIF of so many seconds; `pose` draws the canvas at a part of the motion. */

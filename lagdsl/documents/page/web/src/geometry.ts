@@ -1,5 +1,5 @@
 // Where parts stand, and tubes along lines.
-import { BufferGeometry, Float32BufferAttribute, Matrix4, Vector3 } from "three";
+import { BufferGeometry, Float32BufferAttribute, Vector3 } from "three";
 
 const ROUND = 6; // corners of a tube
 
@@ -12,14 +12,9 @@ export function axesAlong(way: Vector3, about: Vector3 | null): [Vector3, Vector
   return [x, new Vector3().crossVectors(z, x), z];
 }
 
-/** The transformation that lays a unit form along axes, stretched. */
-export function lay([x, y, z]: [Vector3, Vector3, Vector3], sizes: [number, number, number], at: Vector3): Matrix4 {
-  return new Matrix4().makeBasis(x, y, z).scale(new Vector3(...sizes)).setPosition(at);
-}
-
 /** A tube along points; its cross section does not twist. */
 export function tube(points: readonly Vector3[], radius: number): BufferGeometry {
-  const [places, normals, faces]: number[][] = [[], [], []];
+  const [places, faces]: number[][] = [[], []];
   const [way, out, side] = [new Vector3(), new Vector3(), new Vector3()];
   points.forEach((point, i) => {
     way.subVectors(points[Math.min(i + 1, points.length - 1)], points[Math.max(i - 1, 0)]).normalize();
@@ -28,13 +23,12 @@ export function tube(points: readonly Vector3[], radius: number): BufferGeometry
     side.crossVectors(way, out.normalize());
     for (let k = 0; k < ROUND; ++k) {
       const angle = (2 * Math.PI * k) / ROUND;
-      const normal = out.clone().multiplyScalar(Math.cos(angle)).addScaledVector(side, Math.sin(angle));
-      normals.push(...normal);
-      places.push(...normal.multiplyScalar(radius).add(point));
+      places.push(...point.clone().addScaledVector(out, radius * Math.cos(angle)).addScaledVector(side, radius * Math.sin(angle)));
       const [a, b] = [(i - 1) * ROUND + k, (i - 1) * ROUND + ((k + 1) % ROUND)];
       if (i > 0) faces.push(a, b, a + ROUND, b, b + ROUND, a + ROUND);
     }
   });
-  const made = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places, 3));
-  return made.setAttribute("normal", new Float32BufferAttribute(normals, 3)).setIndex(faces);
+  const made = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places, 3)).setIndex(faces);
+  made.computeVertexNormals();
+  return made;
 }

@@ -6,13 +6,6 @@ import type { Held, Stage } from "./stage.ts";
 
 const FIRST = 3; // [pixels] that a click may move
 
-/** What the page does: it goes to its start with the present posture, or pulls. */
-export interface Hands {
-  ready(): boolean;
-  begin(): void;
-  pull(pull: Pull): void;
-}
-
 /** Coordinates with a start value of their own. */
 export function startsOf(head: Head, length: number): Pull["starts"] {
   return head.columns.flatMap(({ name, kind, unit }, column) => {
@@ -21,7 +14,8 @@ export function startsOf(head: Head, length: number): Pull["starts"] {
   });
 }
 
-export function grab(head: Head, stage: Stage, place: HTMLElement, hands: Hands): void {
+/** `begin`: the page goes to its start with the present posture. */
+export function grab(head: Head, stage: Stage, place: HTMLElement, hands: { ready(): boolean; begin(): void; pull(pull: Pull): void }): void {
   let held: Held | null = null;
   let [x, y] = [0, 0];
   let off: Vector3 | null = null; // from the place that is held to the pointer; null: nothing has moved yet

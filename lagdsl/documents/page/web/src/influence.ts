@@ -4,6 +4,7 @@ import { why, type Column, type Head, type Quantity } from "./head.ts";
 import { Live, type Outcome } from "./live.ts";
 import { written } from "./numbers.ts";
 import { INTERRUPTED, STOPPED } from "./orders.ts";
+import type { Sliders } from "./sliders.ts";
 
 const REST = 300; // [ms] without a move of a slider
 const LONGEST = 60_000; // [ms] of work beside the page, which a move of a slider ends
@@ -32,7 +33,7 @@ export class Influence {
   private readonly board: HTMLDetailsElement;
   private live: Promise<Live | null> | null = null;
   private values: number[] = [];
-  private wish: [parameters: Float64Array, inputs: Float64Array] | null = null;
+  private wish: Sliders["given"] | null = null;
   private timer = 0;
   private outcome: Outcome | null = null;
 
@@ -49,9 +50,9 @@ export class Influence {
   }
 
   /** The sliders stand here; what was told before is of another motion, and nobody waits for what is under way. */
-  rest(parameters: Float64Array, inputs: Float64Array): void {
+  rest(given: Sliders["given"]): void {
     if (!this.board.isConnected || !this.head.differentiable) return;
-    this.wish = [parameters, inputs];
+    this.wish = given;
     this.board.ariaBusy = "true";
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.ask(), REST);
@@ -59,14 +60,14 @@ export class Influence {
 
   private ask(): void {
     if (this.wish === null || !this.board.open) return;
-    const [parameters, inputs] = this.wish;
+    const given = this.wish;
     this.wish = null;
-    const all = [...parameters, ...inputs];
+    const all = given.flatMap((values) => [...values]);
     this.values = this.by.map((i) => all[i]);
     if (this.outcome === null) this.say("Derivatives are under way.", true);
     const begin = (): Promise<Live | null> => Live.begin(this.head, 2, (outcome) => this.arrived(outcome), { by: this.by, longest: LONGEST });
     this.live = (this.live ?? begin()).then((live) => (live?.busy ? (live.end(), begin()) : live));
-    void this.live.then((live) => live?.run(parameters, inputs));
+    void this.live.then((live) => live?.run(given));
   }
 
   private arrived(outcome: Outcome): void {
@@ -105,12 +106,11 @@ export class Influence {
     const moving = changes.filter(({ size }) => size > least).sort((a, b) => Number(b.ranked) - Number(a.ranked) || b.size - a.size);
     this.say(moving.length > 0 ? `${value} and changes with` : `${value}; no slider moves it.`);
     this.rows.append(...moving.slice(0, MOST).map(({ name, words, change, size, ranked }) => {
-      const bar = make("i", { className: change < 0 ? "less" : "more" });
-      bar.style.width = `${(100 * size) / moving[0].size}%`; // of the longest one
+      const style = `width: ${(100 * size) / moving[0].size}%`; // of the longest one
       return make("tr", {},
         make("th", { scope: "row", textContent: name.replace(/\.start$/, " at the start") }),
         make("td", { textContent: words }),
-        make("td", { className: "bar" }, ...(ranked ? [bar] : [])),
+        make("td", { className: "bar" }, ...(ranked ? [make("i", { className: change < 0 ? "less" : "more", style } as object)] : [])),
         make("td", { textContent: `${change > 0 ? "+" : "−"}${written(size, 3)} ${unit}`.trim() }));
     }));
   }

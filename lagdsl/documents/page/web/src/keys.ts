@@ -2,15 +2,17 @@
 
 /** Keys that fields need themselves: what moves in them, and signs of numbers. */
 const TAKEN: [key: RegExp, field: string][] = [
-  [/^(Arrow|Home|End)/, "input:not([type=checkbox]):not([aria-label=Time]), select, [role=tab]"],
+  [/^(Arrow|Home|End)/, "input:not([type=checkbox]):not([aria-label=Time]), select"],
   [/^[+-]$/, "input[type=number]"],
 ];
 
+/** A key does what `acts` says, or presses the button with this shortcut. */
 export function keys(acts: Record<string, () => void>): void {
-  const act = (event: KeyboardEvent): (() => void) | undefined => {
-    if (event.ctrlKey || event.metaKey || event.altKey || !(event.target instanceof Element)) return undefined;
-    const { key, target } = event;
-    return TAKEN.some(([keys, field]) => keys.test(key) && target.matches(field)) ? undefined : acts[key];
+  const act = ({ key, target, ctrlKey, metaKey, altKey }: KeyboardEvent): (() => void) | undefined => {
+    if (ctrlKey || metaKey || altKey || !(target instanceof Element)) return undefined;
+    if (TAKEN.some(([keys, field]) => keys.test(key) && target.matches(field))) return undefined;
+    const button = [...document.querySelectorAll("button")].find(({ ariaKeyShortcuts }) => ariaKeyShortcuts === (key === " " ? "Space" : key));
+    return acts[key] ?? (button && (() => button.click()));
   };
   document.addEventListener("keydown", (event) => {
     const found = act(event);

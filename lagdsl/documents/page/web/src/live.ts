@@ -2,6 +2,7 @@
 import { inflated, type Head } from "./head.ts";
 import { Motion } from "./motion.ts";
 import type { Answer, Order, Setup } from "./orders.ts";
+import type { Sliders } from "./sliders.ts";
 
 export type Outcome = Omit<Answer, "rows"> & { motion: Motion };
 
@@ -45,7 +46,7 @@ export class Live {
     }
   }
 
-  run(parameters: Float64Array, inputs: Float64Array, pull: Order["pull"] = null): void {
+  run([parameters, inputs]: Sliders["given"], pull: Order["pull"] = null): void {
     this.waiting = { parameters, inputs, pull };
     if (!this.busy) this.next();
   }

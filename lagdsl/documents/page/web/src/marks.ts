@@ -2,7 +2,7 @@
 import { make } from "./dom.ts";
 import type { Head, Span } from "./head.ts";
 
-type Item = { element: HTMLElement; spans: Span[] };
+export type Item = { element: HTMLElement; spans: Span[]; term: boolean };
 
 /** Pieces of one kind, with its letter as their class. */
 function painted(text: string, inks: string): (HTMLElement | string)[] {
@@ -17,7 +17,7 @@ export function lines(head: Head, place: HTMLElement): Item[] {
   const found = head.source.split("\n").map((text, i): Item => {
     const element = make("div", { className: "line" }, ...painted(text, head.inks.slice(at, (at += text.length + 1))));
     element.dataset.number = `${i + 1}`;
-    return { element, spans: [{ first: [i + 1, 1], last: [i + 2, 1] }] };
+    return { element, spans: [{ first: [i + 1, 1], last: [i + 2, 1] }], term: false };
   });
   place.append(...found.map(({ element }) => element));
   return found;
@@ -27,7 +27,7 @@ export function lines(head: Head, place: HTMLElement): Item[] {
 export function terms(head: Head, place: HTMLElement): Item[] {
   return [...place.querySelectorAll<HTMLElement>("[data-from]")].map((element) => {
     const indices = element.dataset.from?.match(/\d+/g) ?? [];
-    return { element, spans: indices.map((index) => head.sources[Number(index)]).filter((span) => span !== null) };
+    return { element, spans: indices.map((index) => head.sources[Number(index)]).filter((span) => span !== null), term: true };
   });
 }
 
@@ -35,17 +35,17 @@ export class Marks {
   private pinned: Span[] = [];
 
   /** `pointed` is told what the pointer is on, or null, and `chosen` what was clicked. */
-  constructor(private readonly items: Item[], pointed: (item: Item | null) => void, chosen: (spans: Span[]) => void) {
+  constructor(private readonly items: Item[], pointed: (item: Item | null) => void, chosen: (item: Item) => void) {
     for (const item of items) {
       item.element.addEventListener("pointerenter", () => pointed(item));
       item.element.addEventListener("pointerleave", () => pointed(null));
-      item.element.addEventListener("click", () => chosen(item.spans));
+      item.element.addEventListener("click", () => chosen(item));
     }
   }
 
-  /** The first item that comes from statements. */
-  first(spans: Span[]): HTMLElement | null {
-    return this.items.find((item) => overlap(item.spans, spans))?.element ?? null;
+  /** The first term or line that comes from statements. */
+  first(spans: Span[], term: boolean): HTMLElement | null {
+    return this.items.find((item) => item.term === term && overlap(item.spans, spans))?.element ?? null;
   }
 
   /** Marks that stay until others take their place. */
@@ -54,9 +54,12 @@ export class Marks {
     this.mark(spans);
   }
 
-  /** Marks what comes from statements. */
-  mark(spans: Span[]): void {
-    for (const { element, spans: own } of this.items) element.classList.toggle("marked", overlap(own, [...spans, ...this.pinned]));
+  /** Marks what comes from statements; of terms only `alone`, if there is one. */
+  mark(spans: Span[], alone?: Element): void {
+    for (const { element, spans: own, term } of this.items) {
+      const wanted = term && alone !== undefined ? [] : spans;
+      element.classList.toggle("marked", element === alone || overlap(own, [...wanted, ...this.pinned]));
+    }
   }
 }
 

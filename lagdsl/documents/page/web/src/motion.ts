@@ -36,29 +36,24 @@ export class Motion {
   }
 
   /** All numbers at time t, between two rows on the line through them. */
-  state(t: number, into: Float64Array): Float64Array {
+  state(t: number): Float64Array {
     const row = this.rowAt(t);
     const next = Math.min(row + 1, this.count - 1);
     const length = this.at(next, 0) - this.at(row, 0);
     const part = length > 0 ? Math.min(Math.max((t - this.at(row, 0)) / length, 0), 1) : 0;
     const [a, b] = [this.row(row), this.row(next)];
-    for (let i = 0; i < this.width; ++i) into[i] = a[i] + part * (b[i] - a[i]);
-    return into;
+    return Float64Array.from({ length: this.width }, (_, i) => a[i] + part * (b[i] - a[i]));
   }
 
-  /** The largest size in a column. */
-  largest(index: number): number {
-    return extremes(this.column(index).map(Math.abs), 0, 0)[1];
-  }
-
-  column(index: number): Float64Array {
-    return Float64Array.from({ length: this.count }, (_, row) => this.at(row, index));
+  /** The largest size in a column, or of a vector in several ones. */
+  largest(index: number, count = 1): number {
+    return extremes(Array.from({ length: this.count }, (_, row) => Math.hypot(...this.row(row).subarray(index, index + count))), 0, 0)[1];
   }
 
   /** A column in the unit that is shown. */
-  shown(columns: readonly Column[], index: number): Float64Array {
+  shown(columns: readonly Pick<Column, "display">[], index: number): Float64Array {
     const { scale, shift } = columns[index].display;
-    return this.column(index).map((si) => si * scale + shift);
+    return Float64Array.from({ length: this.count }, (_, row) => this.at(row, index) * scale + shift);
   }
 }
 

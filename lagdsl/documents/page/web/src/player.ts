@@ -1,7 +1,8 @@
 // The clock of the page: play, pause, scrub, speed; the ticks of events.
-import { choice, make } from "./dom.ts";
+import { button, choice, make } from "./dom.ts";
 import type { Occurrence, Head } from "./head.ts";
-import { above, apart, density } from "./numbers.ts";
+import { above } from "./numbers.ts";
+import { ticks } from "./ticks.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const SECONDS = [1, 60]; // motions of these lengths begin in real time, all others take a few seconds to watch
@@ -15,7 +16,6 @@ function usual(length: number): number {
 
 export class Player {
   time: number;
-  private speed: number;
   private readonly speeds: number[];
   private pace = 1; // seconds of the motion in a second at speed 1
   private span: [number, number];
@@ -23,7 +23,7 @@ export class Player {
   private running = false;
   private before = 0;
   private readonly bar = make("input", { type: "range", step: "any", ariaLabel: "Time", oninput: () => this.go(Number(this.bar.value)) });
-  private readonly button = make("button", { className: "play", onclick: () => this.toggle() });
+  private readonly button = button("", "", () => (this.running ? this.pause() : this.play()), "Space");
   private readonly clock = make("output", { className: "clock" });
   private readonly ticks = make("div", { className: "ticks", ariaHidden: "true" });
   private readonly chooser: HTMLSelectElement;
@@ -33,11 +33,11 @@ export class Player {
     this.time = start;
     this.span = [start, stop];
     this.again = head.modes !== undefined;
-    this.speed = this.again ? 1 : usual(stop - start);
-    const parts = this.speed === 1 ? SPEEDS : [...[0.1, 0.2, 0.5, 1, 2, 5].map((part) => part * this.speed), 1];
+    const own = this.again ? 1 : usual(stop - start);
+    const parts = own === 1 ? SPEEDS : [...[0.1, 0.2, 0.5, 1, 2, 5].map((part) => part * own), 1];
     this.speeds = [...new Set(parts.map((speed) => Number(speed.toPrecision(3))))].sort((a, b) => a - b);
-    const words = this.speeds.map((speed) => `${speed}×`);
-    this.chooser = choice("Speed", words, this.speeds.indexOf(this.speed), (number) => (this.speed = this.speeds[number]));
+    this.chooser = choice("Speed", this.speeds.map((speed) => `${speed}×`), this.speeds.indexOf(own));
+    this.button.className = "play";
     place.append(this.button, make("div", { className: "track" }, this.ticks, this.bar), this.clock, this.chooser);
     this.over(start, stop, 1);
     this.mark(head.events);
@@ -55,23 +55,10 @@ export class Player {
 
   faster(steps: number): void {
     this.chooser.selectedIndex = Math.min(Math.max(this.chooser.selectedIndex + steps, 0), this.speeds.length - 1);
-    this.speed = this.speeds[this.chooser.selectedIndex];
   }
 
   mark(events: Occurrence[]): void {
-    const [start, stop] = this.span;
-    const ticks = apart(events, start, stop).map(({ time, name, kind }) => {
-      const tick = make("i", { title: `${name} ${kind}`, className: kind });
-      tick.style.left = `${(100 * (time - start)) / (stop - start)}%`;
-      return tick;
-    });
-    const often = density(events, start, stop).map((part) => make("b", { style: `opacity: ${0.5 * part}` } as object));
-    this.ticks.replaceChildren(...often, ...ticks);
-  }
-
-  toggle(): void {
-    if (this.running) this.pause();
-    else this.play();
+    this.ticks.replaceChildren(...ticks(events, ...this.span));
   }
 
   play(): void {
@@ -101,7 +88,7 @@ export class Player {
   private tick(now: number): void {
     if (!this.running) return;
     const [start, stop] = this.span;
-    const next = this.time + ((now - this.before) / 1000) * this.speed * this.pace;
+    const next = this.time + ((now - this.before) / 1000) * this.speeds[this.chooser.selectedIndex] * this.pace;
     this.before = now;
     this.go(next >= stop && this.again ? start : next);
     if (next >= stop && !this.again) this.pause();

@@ -1,10 +1,11 @@
 // Several motions: a slider over the runs of a sweep; modes by frequency, with amplitudes; eigenvalues over a parameter.
-import { choice, drawn, make } from "./dom.ts";
+import uPlot from "uplot";
+import { axis as axisOf, curve, edged, inside, sizeIn, upright } from "./axis.ts";
+import { choice, make } from "./dom.ts";
 import type { Head, Locus, Mode } from "./head.ts";
-import { extremes } from "./numbers.ts";
+import { extremes, written } from "./numbers.ts";
 
-const [WIDTH, HEIGHT] = [420, 200];
-const EDGE = { left: 62, right: 10, top: 8, bottom: 34 };
+const HEIGHT = 200;
 
 type Point = [number, number];
 interface Dot {
@@ -88,31 +89,43 @@ function locus(data: Locus): HTMLElement {
     ...(list.length > 0 ? [make("ul", {}, ...list)] : []));
 }
 
-/** With zero upward, and to the right where that is an `axis`, too. */
-function chart(dots: Dot[], across: string, upward: string, marks: number[], axis: boolean): SVGElement {
-  const svg = drawn("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `${upward} over ${across}` });
-  const [[x0, x1], [y0, y1]] = ([0, 1] as const).map((k) => {
-    const [low, high] = extremes([...dots.map(({ at }) => at[k]), ...(axis || k === 1 ? [0] : [])]);
-    const edge = high > low ? 0.06 * (high - low) : 1;
-    return [low - edge, high + edge];
-  });
-  const x = (value: number): number => EDGE.left + ((value - x0) / (x1 - x0)) * (WIDTH - EDGE.left - EDGE.right);
-  const y = (value: number): number => HEIGHT - EDGE.bottom - ((value - y0) / (y1 - y0)) * (HEIGHT - EDGE.top - EDGE.bottom);
-  const line = (from: Point, to: Point, kind: string): void =>
-    svg.append(drawn("line", { x1: x(from[0]), y1: y(from[1]), x2: x(to[0]), y2: y(to[1]), class: kind }));
-  const write = (text: string, given: Record<string, string | number>): void => svg.append(drawn("text", given, text));
-  line([x0, 0], [x1, 0], "axis");
-  if (axis) line([0, y0], [0, y1], "axis");
-  for (const mark of marks) line([mark, y0], [mark, y1], "threshold");
-  for (const { at, part, words } of dots) {
-    const fill = `hsl(${(230 - 190 * part).toFixed(0)} 70% 50%)`;
-    const circle = drawn("circle", { cx: x(at[0]).toFixed(2), cy: y(at[1]).toFixed(2), r: 2, fill });
-    circle.append(drawn("title", {}, words));
-    svg.append(circle);
-  }
-  for (const [end, anchor] of [[x0, "start"], [x1, "end"]] as const) write(end.toPrecision(3), { x: x(end), y: HEIGHT - 20, "text-anchor": anchor });
-  for (const [end, off] of [[y0, 0], [y1, 9]]) write(end.toPrecision(3), { x: EDGE.left - 4, y: y(end) + off, "text-anchor": "end" });
-  write(across, { x: (EDGE.left + WIDTH) / 2, y: HEIGHT - 6, "text-anchor": "middle" });
-  write(upward, { x: -HEIGHT / 2 + 10, y: 12, "text-anchor": "middle", transform: "rotate(-90)" });
-  return svg;
+/** With zero upward, and to the right where that is an `axis`, too. The legend tells the dot next to the pointer. */
+function chart(dots: Dot[], across: string, upward: string, marks: number[], axis: boolean): HTMLElement {
+  const board = make("div", { role: "img", ariaLabel: `${upward} over ${across}` });
+  const [xs, ys] = ([0, 1] as const).map((k) => Float64Array.from(dots, ({ at }) => at[k]));
+  const next = ({ cursor: { left = 0, top = 0 }, valToPos }: uPlot): number => {
+    const away = dots.map(({ at: [x, y] }) => Math.hypot(valToPos(x, "x") - left, valToPos(y, "y") - top));
+    return away.indexOf(Math.min(...away));
+  };
+  const draw = (plot: uPlot): void => {
+    const [x, y] = [plot.scales.x, plot.scales.y].map(({ min = 0, max = 1 }) => [min, max]);
+    for (const mark of marks) curve(plot, [mark, mark], y, "#d97706", 1.5);
+    curve(plot, x, [0, 0], "#64748b", 1);
+    if (axis) curve(plot, [0, 0], y, "#64748b", 1);
+    inside(plot, (pen) => {
+      for (const { at: [right, up], part } of dots) {
+        pen.fillStyle = `hsl(${230 - 190 * part} 70% 50%)`;
+        pen.beginPath();
+        pen.arc(plot.valToPos(right, "x", true), plot.valToPos(up, "y", true), 2 * window.devicePixelRatio, 0, 2 * Math.PI);
+        pen.fill();
+      }
+    });
+  };
+  const plot = new uPlot(
+    {
+      ...sizeIn(board, HEIGHT),
+      scales: { x: { time: false, range: () => edged([xs, ...(axis ? [[0]] : [])]) }, y: { range: () => edged([ys, [0]]) } },
+      axes: [{ ...axisOf(across), size: 40 }, upright(upward)],
+      cursor: { x: false, y: false, drag: { x: false }, dataIdx: next },
+      series: [
+        { label: "at", value: (_, __, ___, dot) => (dot === null ? "–" : dots[dot].words) },
+        { label: upward, paths: () => null, value: (_, value: number | null) => written(value ?? NaN, 4) },
+      ],
+      hooks: { drawAxes: [draw] },
+    },
+    [xs, ys],
+    board,
+  );
+  new ResizeObserver(() => plot.setSize(sizeIn(board, HEIGHT))).observe(board);
+  return board;
 }

@@ -6,7 +6,10 @@ const CALM = 250;
 const LONGEST_CALM = 2000;
 const CALM_PICTURES = 4;
 const FINEST = 2;
-const VEIL = 0.75; // opacity of what makes a picture behind another one pale
+const VEIL = 0.75; // opacity of what makes pictures behind another one pale
+
+/** What poses a scene before it is drawn, one on another: all but the last pale. */
+export type Panel = (() => void)[];
 
 function bySoftware(context: WebGL2RenderingContext): boolean {
   const known = context.getExtension("WEBGL_debug_renderer_info");
@@ -15,17 +18,14 @@ function bySoftware(context: WebGL2RenderingContext): boolean {
 }
 
 export class Screen {
-  readonly canvas: HTMLCanvasElement;
-  private readonly renderer: WebGLRenderer;
+  readonly renderer: WebGLRenderer;
+  film = false; // its pictures have time: all are fine
   private readonly software: boolean;
-  private fine = true;
-  private film = false;
   private rest = 0;
   private before = 0;
   private readonly veil = new Mesh(new PlaneGeometry(2, 2), new MeshBasicMaterial({ transparent: true, opacity: VEIL, depthTest: false }));
 
-  /** `redraw` is asked for when the machine rests: then software has time for a finer picture. */
-  constructor(private readonly redraw: () => void) {
+  constructor() {
     const wishes = { alpha: false, depth: true, stencil: false, preserveDrawingBuffer: true };
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("webgl2", { ...wishes, antialias: false });
@@ -33,70 +33,52 @@ export class Screen {
     this.software = context !== null && bySoftware(context);
     if (!this.software) context?.getExtension("WEBGL_lose_context")?.loseContext();
     this.renderer = new WebGLRenderer(context !== null && this.software ? { canvas, context, ...wishes } : { ...wishes, antialias: true });
-    this.canvas = this.renderer.domElement;
     this.ratio(!this.software);
   }
 
-  size(width: number, height: number): void {
-    this.renderer.setSize(width, height);
-  }
-
-  draw(scene: Scene, camera: Camera): void {
-    if (this.software) this.soften();
-    this.renderer.render(scene, camera);
-  }
-
-  /** Two pictures of a scene, each posed before it is drawn: the first left of the second, or pale behind it. */
-  pair(scene: Scene, camera: Camera, beside: boolean, poses: (() => void)[]): void {
-    if (this.software) this.soften();
-    const { renderer } = this;
-    const { background } = scene;
-    const { x: width, y: height } = renderer.getSize(new Vector2());
-    renderer.autoClear = false;
-    renderer.setScissorTest(beside);
-    poses.forEach((pose, k) => {
-      pose();
-      if (beside) {
-        renderer.setViewport((k * width) / 2, 0, width / 2, height);
-        renderer.setScissor((k * width) / 2, 0, width / 2, height);
-      } else if (k === 1) {
-        this.veil.material.color = background as Color;
-        renderer.render(new Scene().add(this.veil), new OrthographicCamera(-1, 1, 1, -1, -1, 1));
-        renderer.clearDepth();
-        scene.background = null;
-      }
-      renderer.render(scene, camera);
-    });
-    scene.background = background;
-    renderer.setScissorTest(false);
-    renderer.setViewport(0, 0, width, height);
-    renderer.autoClear = true;
-  }
-
-  /** All pictures fine, or as usual: those of a film have time. */
-  filming(on: boolean): void {
-    clearTimeout(this.rest);
-    this.rest = on ? -1 : 0;
-    this.film = on;
-  }
-
-  /** While pictures follow each other each has the pixels of the page; one that stays has more, and smooth edges. */
-  private soften(): void {
-    const resting = this.rest < 0;
-    if (this.fine !== resting) this.ratio(resting);
+  /** By software, pictures that follow each other have the pixels of the page; one that stays has more, and smooth edges. */
+  draw(scene: Scene, camera: Camera, panels: Panel[]): void {
+    this.ratio(this.film || !this.software);
+    this.paint(scene, camera, panels);
+    if (this.film || !this.software) return;
     clearTimeout(this.rest);
     const now = performance.now();
     const calm = Math.min(Math.max(CALM_PICTURES * (now - this.before), CALM), LONGEST_CALM);
     this.before = now;
-    this.rest = this.film ? -1 : resting ? 0 : setTimeout(() => {
-      this.rest = -1;
-      this.redraw();
+    this.rest = setTimeout(() => {
+      this.ratio(true);
+      this.paint(scene, camera, panels);
     }, calm);
   }
 
+  /** Panels side by side. */
+  private paint(scene: Scene, camera: Camera, panels: Panel[]): void {
+    const { renderer } = this;
+    const background = scene.background as Color;
+    const { x: width, y: height } = renderer.getSize(new Vector2());
+    renderer.autoClear = false; // but for a background
+    renderer.setScissorTest(true);
+    panels.forEach((poses, k) => {
+      const part = [(k * width) / panels.length, 0, width / panels.length, height] as const;
+      renderer.setViewport(...part);
+      renderer.setScissor(...part);
+      poses.forEach((pose, i) => {
+        if (i > 0 && i === poses.length - 1) {
+          this.veil.material.color = background;
+          renderer.render(new Scene().add(this.veil), new OrthographicCamera(-1, 1, 1, -1, -1, 1));
+          renderer.clearDepth();
+        }
+        pose();
+        renderer.render(scene, camera);
+        scene.background = null;
+      });
+      scene.background = background;
+    });
+  }
+
   private ratio(fine: boolean): void {
-    this.fine = fine;
     const own = Math.min(window.devicePixelRatio, FINEST);
-    this.renderer.setPixelRatio(this.software ? (fine ? FINEST : Math.min(own, 1)) : own);
+    const wanted = this.software ? (fine ? FINEST : Math.min(own, 1)) : own;
+    if (this.renderer.getPixelRatio() !== wanted) this.renderer.setPixelRatio(wanted);
   }
 }

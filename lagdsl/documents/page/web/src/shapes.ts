@@ -1,22 +1,21 @@
 // The primitives of pictures, as lagdsl/derivation/scene tells them: objects of three.js that follow numbers of the scene.
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshLambertMaterial, type Object3D, Sprite,
-  SpriteMaterial, type Matrix4, Vector3, Vector4,
+  SpriteMaterial, Matrix4, Vector3, Vector4,
 } from "three";
-import { axesAlong, lay, tube } from "./geometry.ts";
+import { axesAlong, tube } from "./geometry.ts";
 import type { Part, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 
-/** Numbers of the scene at one moment, and the sizes that were chosen for this machine. */
-export interface Frame {
-  numbers: ArrayLike<number>;
-  first: number; // of the scene in a row
-}
+/** Numbers of the scene at one moment. */
+export type Numbers = ArrayLike<number>;
+
+/** Sizes that were chosen for this machine. */
 export interface Sizes {
   length: number; // of the machine [m]
   scales: Record<string, number>; // of arrows: metres for a newton, for a newton metre
   boards: Matrix4[]; // of gauges
-  first: number;
+  first: number; // of the scene in a row
   center: Vector3; // of the machine
   forms: ReadonlyMap<string, BufferGeometry>;
   coil: readonly number[][];
@@ -25,10 +24,10 @@ export interface Sizes {
 export interface Drawn {
   object: Object3D;
   shape: Shape;
-  update(frame: Frame): void;
-  follow?(motion: Motion, row: number): void; // before update
+  /** Of arrows there is no motion: they leave no trace. */
+  update(row: Numbers, motion?: Motion, number?: number): void;
 }
-type Pieces = Pick<Drawn, "object" | "update" | "follow">;
+type Pieces = Pick<Drawn, "object" | "update">;
 
 const SHORTEST = 1e-6; // of the machine: nothing is seen of a shorter arrow
 const OTHER = "#64748b";
@@ -45,48 +44,46 @@ function solid(part: Part, geometry: BufferGeometry): Mesh {
   return mesh;
 }
 
-export function vector(numbers: Record<string, number>, role: string, frame: Frame): Vector3 {
-  const at = frame.first + numbers[role];
-  return new Vector3(frame.numbers[at], frame.numbers[at + 1], frame.numbers[at + 2]);
+export function vector(numbers: Record<string, number>, role: string, row: Numbers): Vector3 {
+  const at = numbers[role];
+  return new Vector3(row[at], row[at + 1], row[at + 2]);
 }
 
 /** A vector of a part; those of one on a board are in the axes and the unit of that. */
-function vectorOf({ numbers, board }: Part, role: string, sizes: Sizes, frame: Frame): Vector3 {
-  const own = vector(numbers, role, frame);
+function vectorOf({ numbers, board }: Part, role: string, sizes: Sizes, row: Numbers): Vector3 {
+  const own = vector(numbers, role, row);
   if (board === undefined) return own;
   const { x, y, z } = new Vector4(...own, Number(role === "at" || role === "to")).applyMatrix4(sizes.boards[board]);
   return new Vector3(x, y, z);
 }
 
-function sizeOf(part: Part, axis: number, sizes: Sizes, frame: Frame): number {
+function sizeOf(part: Part, axis: number, sizes: Sizes, row: Numbers): number {
   const [factor, column, relative] = part.sizes?.[axis] ?? [1, -1, true];
-  return factor * (column < 0 ? 1 : frame.numbers[frame.first + column]) * (relative ? sizes.length : 1);
+  return factor * (column < 0 ? 1 : row[column]) * (relative ? sizes.length : 1);
 }
 
 interface Place {
-  axes: [Vector3, Vector3, Vector3]; // of length 1
+  matrix: Matrix4; // without its sizes
   sizes: [number, number, number];
-  at: Vector3;
   seen: boolean; // its axis has a length
 }
 
 /** Where a part stands, and how it is stretched. */
-function place(part: Part, sizes: Sizes, frame: Frame): Place {
+function place(part: Part, sizes: Sizes, row: Numbers): Place {
   const { numbers, scale } = part;
-  const at = vectorOf(part, "at", sizes, frame);
-  const to = "to" in numbers ? vectorOf(part, "to", sizes, frame).sub(at) : null;
-  const way = to ?? ("z" in numbers ? vectorOf(part, "z", sizes, frame) : new Vector3(0, 0, 1));
+  const at = vectorOf(part, "at", sizes, row);
+  const to = "to" in numbers ? vectorOf(part, "to", sizes, row).sub(at) : null;
+  const way = to ?? ("z" in numbers ? vectorOf(part, "z", sizes, row) : new Vector3(0, 0, 1));
   const shown = way.length() * (scale ? sizes.scales[scale] : 1);
-  const own = [0, 1, 2].map((axis) => sizeOf(part, axis, sizes, frame) * (scale && !part.sizes?.[axis][2] ? shown : 1)) as Place["sizes"];
+  const own = [0, 1, 2].map((axis) => sizeOf(part, axis, sizes, row) * (scale && !part.sizes?.[axis][2] ? shown : 1)) as Place["sizes"];
   if (!scale && to !== null) own[2] = shown;
-  const axes = axesAlong(way, "x" in numbers ? vectorOf(part, "x", sizes, frame) : null);
+  const [x, y, z] = axesAlong(way, "x" in numbers ? vectorOf(part, "x", sizes, row) : null);
   if (part.still) {
     const away = sizes.center.clone().sub(at);
-    const [x, , z] = axes;
     at.add("x" in numbers ? x.clone().multiplyScalar(away.dot(x)) : away.addScaledVector(z, -away.dot(z)));
   }
-  at.addScaledVector(axes[2], (part.offset ?? 0) * sizes.length);
-  return { axes, sizes: own, at, seen: shown > (scale ? SHORTEST * sizes.length : 0) };
+  at.addScaledVector(z, (part.offset ?? 0) * sizes.length);
+  return { matrix: new Matrix4().makeBasis(x, y, z).setPosition(at), sizes: own, seen: shown > (scale ? SHORTEST * sizes.length : 0) };
 }
 
 /** Triangles of a unit body, or of a file; nothing where the file has none. */
@@ -97,10 +94,10 @@ function surface(part: Part, shape: Shape, sizes: Sizes): Pieces {
   if (file) (object.material as MeshLambertMaterial).side = DoubleSide;
   return {
     object,
-    update(frame) {
-      const { axes, sizes: own, at, seen } = place(part, sizes, frame);
+    update(row) {
+      const { matrix, sizes: own, seen } = place(part, sizes, row);
       object.visible = seen;
-      object.matrix.copy(lay(axes, own, at));
+      object.matrix.copy(matrix.scale(new Vector3(...own)));
     },
   };
 }
@@ -112,18 +109,18 @@ function line(part: Part, _: Shape, sizes: Sizes): Pieces {
   let known = "";
   return {
     object,
-    update(frame) {
-      const radius = sizeOf(part, 2, sizes, frame);
+    update(row) {
+      const radius = sizeOf(part, 2, sizes, row);
       let points: Vector3[];
       if (part.form === "coil") {
-        const { axes, sizes: own, at } = place(part, sizes, frame);
-        object.matrix.copy(lay(axes, [1, 1, 1], at));
+        const { matrix, sizes: own } = place(part, sizes, row);
+        object.matrix.copy(matrix);
         if (known === `${own}`) return;
         known = `${own}`;
         points = sizes.coil.map(([x, y, z]) => new Vector3(x * own[0], y * own[1], z * own[2]));
       } else {
         const first = part.numbers.points;
-        points = Array.from({ length: part.count ?? 0 }, (_, k) => vector({ at: first + 3 * k }, "at", frame));
+        points = Array.from({ length: part.count ?? 0 }, (_, k) => vector({ at: first + 3 * k }, "at", row));
       }
       object.geometry.dispose();
       object.geometry = tube(points, radius);
@@ -139,12 +136,11 @@ function trace(part: Part, _: Shape, sizes: Sizes): Pieces {
     return Object.assign(new Line(new BufferGeometry(), material), { frustumCulled: false });
   });
   object.add(...lines);
-  let known: Motion | null = null;
+  let known: Motion | undefined;
   return {
     object,
-    update() {},
-    follow(motion, row) {
-      if (motion !== known) {
+    update(_, motion, number = 0) {
+      if (motion !== undefined && motion !== known) {
         known = motion;
         const at = sizes.first + part.numbers.at;
         const places = Float32Array.from({ length: 3 * motion.count }, (_, i) => motion.at(Math.floor(i / 3), at + (i % 3)));
@@ -153,7 +149,7 @@ function trace(part: Part, _: Shape, sizes: Sizes): Pieces {
           each.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
         }
       }
-      lines[0].geometry.setDrawRange(0, row + 1);
+      lines[0].geometry.setDrawRange(0, number + 1);
     },
   };
 }
@@ -178,7 +174,7 @@ export function label(words: string, size: number, ink: string): Sprite {
 
 function written(part: Part, shape: Shape, sizes: Sizes): Pieces {
   const object = label(shape.texts.text ?? shape.name, 0.06 * sizes.length, OTHER);
-  return { object, update: (frame) => void object.position.copy(vectorOf(part, "at", sizes, frame)) };
+  return { object, update: (row) => void object.position.copy(vectorOf(part, "at", sizes, row)) };
 }
 
 const MAKERS: Record<Part["primitive"], (part: Part, shape: Shape, sizes: Sizes) => Pieces> = {
@@ -188,29 +184,27 @@ const MAKERS: Record<Part["primitive"], (part: Part, shape: Shape, sizes: Sizes)
 /** A shape with all its parts; those that lie still stand where the motion begins. */
 export function drawn(shape: Shape, sizes: Sizes): Drawn {
   const object = new Group();
-  const [still, moving] = [true, false].map((lies) =>
-    shape.parts.filter((part) => (part.still ?? false) === lies).map((part) => {
-      const made = MAKERS[part.primitive](part, shape, sizes);
-      made.object.traverse((each) => (each.userData.part = part));
-      return made;
-    }));
-  for (const { object: each } of [...still, ...moving]) object.add(each);
-  let known: Motion | null = null;
+  const pieces = shape.parts.map((part) => {
+    const made = MAKERS[part.primitive](part, shape, sizes);
+    made.object.traverse((each) => Object.assign(each.userData, { part, shape }));
+    object.add(made.object);
+    return { ...made, still: part.still ?? false };
+  });
+  let known: Motion | undefined;
   let most = 0; // value of a slider along the motion
   return {
     object,
     shape,
-    update: (frame) => moving.forEach((each) => each.update(frame)),
-    follow(motion, row) {
-      for (const each of moving) each.follow?.(motion, row);
-      if (motion === known) return;
+    update(row, motion, number) {
+      const first = motion !== known ? motion : undefined;
       known = motion;
-      if (shape.kind === "slider") {
-        const next = Math.max(motion.largest(sizes.first + shape.numbers.value), 1e-12);
+      if (shape.kind === "slider" && first !== undefined) {
+        const next = Math.max(first.largest(sizes.first + shape.numbers.value), 1e-12);
         sizes.boards[shape.parts[0].board ?? 0].scale(new Vector3((most || next) / next, 1, 1));
         most = next;
       }
-      for (const each of still) each.update({ numbers: motion.row(0), first: sizes.first });
+      for (const each of pieces) if (!each.still) each.update(row, motion, number);
+      else if (first !== undefined) each.update(first.row(0).subarray(sizes.first));
     },
   };
 }

@@ -1,6 +1,5 @@
 // The picture as SVG: faces from the back to the front, names as text.
 import { type BufferGeometry, Color, Line, Mesh, Sprite, Vector3, type Camera, type Object3D, type Scene } from "three";
-import { drawn } from "./dom.ts";
 import { SVGRenderer } from "three/examples/jsm/renderers/SVGRenderer.js";
 
 /** `width` and `height` in pixels. */
@@ -23,8 +22,11 @@ export function drawing(scene: Scene, camera: Camera, width: number, height: num
   svg.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   for (const sprite of names) {
     const at = sprite.getWorldPosition(new Vector3()).project(camera);
-    const given = { x: (at.x * width) / 2, y: (-at.y * height) / 2, "text-anchor": "middle", "font-family": "sans-serif", "font-size": 12, fill: "#64748b" };
-    svg.append(drawn("text", given, `${sprite.userData.words}`));
+    const text = document.createElementNS("http://www.w3.org/2000/svg", "text");
+    const given = { x: (at.x * width) / 2, y: (-at.y * height) / 2, style: "text-anchor: middle; font: 12px sans-serif; fill: #64748b" };
+    for (const [name, value] of Object.entries(given)) text.setAttribute(name, `${value}`);
+    text.textContent = `${sprite.userData.words}`;
+    svg.append(text);
   }
   return new XMLSerializer().serializeToString(svg);
 }

@@ -63,8 +63,8 @@ function fault(quantity: Quantity, si: number): string {
 function judged(quantity: Quantity, si: number, before: number): { taken: boolean; words: string } {
   const words = fault(quantity, si);
   const taken = Number.isFinite(si) && (words === "" || (quantity.group !== "parameter" && quantity.kind === "Real"));
-  if (words === "") return { taken, words };
-  return { taken, words: taken ? `${words}; the run takes it` : `${words}; the value stays ${told(quantity, before)}` };
+  const then = taken ? "the run takes it" : `the value stays ${told(quantity, before)}`;
+  return { taken, words: words && `${words}; ${then}` };
 }
 
 function told(quantity: Quantity, si: number): string {
@@ -72,7 +72,7 @@ function told(quantity: Quantity, si: number): string {
 }
 
 export class Sliders {
-  readonly values: Map<Quantity, number>;
+  private readonly values: Map<Quantity, number>; // of parameters and, behind them, of inputs
   private readonly rows: (() => void)[] = []; // each shows its value anew
 
   constructor(
@@ -81,50 +81,31 @@ export class Sliders {
     place: HTMLElement,
     private readonly changed: () => void,
   ) {
-    this.values = new Map([...head.parameters, ...head.inputs].map((quantity) => [quantity, quantity.value]));
-    const chosen = head.sliders.flatMap((name) => [...this.values.keys()].filter((quantity) => quantity.name === name));
+    const all = [...head.parameters, ...head.inputs];
+    this.values = new Map(all.map((quantity) => [quantity, quantity.value]));
+    const chosen = head.sliders.flatMap((name) => all.filter((quantity) => quantity.name === name));
     place.append(...chosen.map((quantity) => this.row(quantity)));
     for (const [group, title] of GROUPS) {
-      const others = [...this.values.keys()].filter((quantity) => quantity.group === group && !chosen.includes(quantity));
-      if (others.length === 0) continue;
-      const open = chosen.length === 0;
-      place.append(make("details", { open }, make("summary", { textContent: title }), ...others.map((quantity) => this.row(quantity))));
+      const others = all.filter((quantity) => quantity.group === group && !chosen.includes(quantity)).map((quantity) => this.row(quantity));
+      if (others.length > 0) place.append(make("details", { open: chosen.length === 0 }, make("summary", { textContent: title }), ...others));
     }
     const reset = (): void => {
-      this.values.forEach((_, quantity) => this.values.set(quantity, quantity.value));
-      this.reread();
+      this.take(({ value }) => value);
       changed();
     };
     place.append(make("button", { textContent: "Reset all", onclick: reset }));
   }
 
-  /** Another value of a quantity by its name, if there is such a one. */
-  put(name: string, si: number): void {
-    const found = [...this.values.keys()].find((quantity) => quantity.name === name);
-    if (found !== undefined) this.values.set(found, si);
-    this.reread();
-  }
-
-  private reread(): void {
+  /** Other values of quantities, by their place among all; undefined keeps that which is. */
+  take(wanted: (quantity: Quantity, index: number) => number | undefined): void {
+    [...this.values].forEach(([quantity, before], i) => this.values.set(quantity, wanted(quantity, i) ?? before));
     for (const reread of this.rows) reread();
   }
 
-  private present(quantity: Quantity): number {
-    return this.values.get(quantity) ?? quantity.value;
-  }
-
-  get parameters(): Float64Array {
-    return Float64Array.from(this.head.parameters, (quantity) => this.present(quantity));
-  }
-
-  get inputs(): Float64Array {
-    return Float64Array.from(this.head.inputs, (quantity) => this.present(quantity));
-  }
-
-  /** The parameters of a run. */
-  take(parameters: ArrayLike<number>): void {
-    this.head.parameters.forEach((quantity, i) => this.values.set(quantity, parameters[i]));
-    this.reread();
+  /** Values of parameters and of inputs. */
+  get given(): [parameters: Float64Array, inputs: Float64Array] {
+    const all = Float64Array.from(this.values.values());
+    return [all.slice(0, this.head.parameters.length), all.slice(this.head.parameters.length)];
   }
 
   /** The largest size of a quantity along the recorded motion; of one that rests, that of all of its kind and unit. */
@@ -144,26 +125,21 @@ export class Sliders {
     const bar = make("input", { type: "range", min: "0", max: `${STEPS}`, step: whole ? "any" : "1", ariaLabel: quantity.name });
     const field = make("input", { type: "number", step: "any", ariaLabel: `${quantity.name} in ${unit || "SI units"}` });
     const fault = make("span", { className: "fault", ariaLive: "polite" });
-    const tell = (words: string): void => {
+    const present = (): number => this.values.get(quantity) ?? quantity.value;
+    const reread = (words = judged(quantity, present(), present()).words): void => {
+      bar.value = `${(STEPS * (present() - low)) / (high - low || 1)}`;
+      field.value = shown(quantity, present());
       fault.textContent = words;
-      fault.hidden = words === "";
-      field.setAttribute("aria-invalid", `${words !== ""}`);
-    };
-    const reread = (): void => {
-      const si = this.present(quantity);
-      bar.value = `${(STEPS * (si - low)) / (high - low || 1)}`;
-      field.value = shown(quantity, si);
-      tell(judged(quantity, si, si).words);
+      field.ariaInvalid = `${words !== ""}`;
     };
     const set = (wanted: number): void => {
       const si = snapped(quantity, wanted);
-      const { taken, words } = judged(quantity, si, this.present(quantity));
+      const { taken, words } = judged(quantity, si, present());
       if (taken) {
         this.values.set(quantity, si);
         this.changed();
       }
-      reread();
-      tell(words);
+      reread(words);
     };
     bar.oninput = () => {
       const si = low + ((high - low) * Number(bar.value)) / STEPS;

@@ -1,20 +1,20 @@
 // The picture: camera, light, ground, and all shapes of the scene.
 import {
-  AmbientLight, Box3, type BufferGeometry, Color, DirectionalLight, GridHelper, Group, HemisphereLight, type Intersection, Matrix4, Mesh,
-  MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene, Sprite, Vector2, Vector3,
+  AmbientLight, Box3, type BufferGeometry, Color, DirectionalLight, GridHelper, Group, HemisphereLight, type Intersection, Matrix4, type Mesh,
+  type MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Head, Part, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
 import { above } from "./numbers.ts";
 import { placeIn, type Pull } from "./orders.ts";
-import { Overlay, sizeText, unitOf } from "./overlay.ts";
+import { lengthOf, Overlay, seen } from "./overlay.ts";
 import { drawing } from "./sketch.ts";
-import { Screen } from "./screen.ts";
-import { drawn as made, vector, type Drawn, type Frame, type Sizes } from "./shapes.ts";
+import { type Panel, Screen } from "./screen.ts";
+import { drawn as made, vector, type Drawn, type Numbers, type Sizes } from "./shapes.ts";
 
 const ROWS_LOOKED_AT = 200;
-/** Shapes that have no ghosts. */
+/** Shapes that do not move, or are no part of the machine. */
 const STILL = new Set(["trace", "ground", "rail", "track", "frame", "slider", "dial", "text"]);
 const SOLID = new Set(["box", "cylinder", "cone", "disc", "gear", "sphere", "mass", "body", "circle", "mesh"]);
 const LINKS = new Set(["rod", "spring", "damper", "rope"]);
@@ -30,6 +30,12 @@ interface Moment {
   t: number;
 }
 
+/** A motion that is drawn together with the present one: at a time of its own, or always at the present one. */
+export interface Companion {
+  motion: Motion;
+  t?: number;
+}
+
 /** A place of a thing, as a sum of vectors of a row, in the axes of a gauge or in the world, and where it is now. */
 export interface Held {
   parts: Pull["parts"];
@@ -39,22 +45,22 @@ export interface Held {
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
-  readonly screen: Screen;
+  readonly screen = new Screen();
   private readonly scene = new Scene();
   private readonly camera: OrthographicCamera | PerspectiveCamera;
   private readonly controls: OrbitControls;
-  private readonly drawn: Drawn[] = [];
+  private readonly drawn: Drawn[];
   private readonly box = new Box3();
   private readonly sizes: Sizes;
   private readonly grid: GridHelper;
-  private readonly ghosts = new Group();
   private readonly arrows = new Group();
-  readonly shown = { forces: true, frames: false };
+  readonly on = new Set(["forces"]); // switches
   readonly overlay: Overlay | null;
   private moved = false; // somebody chose a view
   private now: Moment | null = null; // that is drawn
-  private other: { motion: Motion; numbers: Float64Array; beside: boolean } | null = null; // to compare with
-  private onlyGauges = false;
+  private beside: Companion[] = []; // one at most, left of the present motion
+  private behind: Companion[] = []; // pale
+  private readonly onlyGauges: boolean;
   private motion: Motion; // that the picture shows
   private readonly places: readonly number[]; // columns at which places begin in a row
   private followed: Vector3 | null = null; // middle of a machine that the view goes with
@@ -67,13 +73,13 @@ export class Stage {
     private readonly place: HTMLElement,
   ) {
     this.motion = whole;
-    this.screen = new Screen(() => this.render());
-    this.canvas = Object.assign(this.screen.canvas, { role: "img", ariaLabel: `The machine ${head.name}, moving` });
+    this.canvas = Object.assign(this.screen.renderer.domElement, { role: "img", ariaLabel: `The machine ${head.name}, moving` });
     place.append(this.canvas);
     this.places = placesOf(head);
+    const { shapes, first } = head.scene;
     const { length, scales, coil } = head.stage;
     const boards = head.stage.boards.map((board) => new Matrix4().fromArray(board));
-    this.sizes = { length, scales, coil, boards, center: new Vector3(...head.stage.center), first: head.scene.first, forms, meshes };
+    this.sizes = { length, scales, coil, boards, center: new Vector3(...head.stage.center), first, forms, meshes };
     this.camera = head.planar ? new OrthographicCamera() : new PerspectiveCamera(35, 1, length / 100, length * 100);
     this.camera.up.set(...head.stage.axes[1]);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -87,30 +93,21 @@ export class Stage {
     const sun = new DirectionalLight(0xffffff, 2);
     sun.position.set(0.6, 1, 1.2);
     this.camera.add(sun);
-    this.scene.add(this.camera, this.ghosts);
-    this.furnish();
+    this.scene.add(this.camera);
+    this.drawn = shapes.map((shape) => made(shape, this.sizes));
+    this.scene.add(...this.drawn.map(({ object }) => object));
+    this.onlyGauges = shapes.some(isGauge) && shapes.every(({ kind }) => STILL.has(kind));
+    this.show();
     this.hold(this.motion);
     this.grid = this.ground(length);
     this.scene.add(this.grid, this.arrows);
     if (head.planar) this.arrows.position.z = 2 * length; // in front of everything, planes of contacts too
-    this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, this.arrows) : null;
+    this.overlay = head.vectors ? new Overlay(head.vectors, this.sizes, this.on, this.arrows) : null;
     this.theme();
     this.aim();
     new ResizeObserver(() => {
       if (place.clientWidth !== this.canvas.clientWidth || place.clientHeight !== this.canvas.clientHeight) this.resize();
     }).observe(place);
-  }
-
-  private furnish(): void {
-    const { shapes } = this.head.scene;
-    for (const shape of shapes) {
-      const drawn = made(shape, this.sizes);
-      drawn.object.traverse((object) => (object.userData.shape = shape));
-      this.drawn.push(drawn);
-      this.scene.add(drawn.object);
-    }
-    this.onlyGauges = shapes.some(isGauge) && shapes.every(({ kind }) => STILL.has(kind));
-    this.show();
   }
 
   /** The box of all places along a motion. */
@@ -141,10 +138,8 @@ export class Stage {
    * where nothing else moves. The caller poses the machine. */
   private hold(motion: Motion): void {
     this.box.union(this.along(motion));
-    const numbers = new Float64Array(motion.width);
     for (let k = 0; k < POSTURES && motion.count > 0; ++k) {
-      const t = motion.at(Math.round(((motion.count - 1) * k) / (POSTURES - 1)), 0);
-      this.set({ motion, numbers: motion.state(t, numbers), t });
+      this.set(momentOf(motion, motion.at(Math.round(((motion.count - 1) * k) / (POSTURES - 1)), 0)));
       this.enclose(this.box);
     }
     if (this.onlyGauges) this.box.makeEmpty();
@@ -163,18 +158,16 @@ export class Stage {
     this.aim();
   }
 
-  /** Layers that one can switch. */
+  /** What switches show. */
   show(): void {
-    for (const { object, shape } of this.drawn) {
-      if (shape.kind === "frame") object.visible = this.shown.frames;
-      if (shape.kind === "force" || shape.kind === "torque") object.visible = this.shown.forces;
-    }
+    for (const { object, shape } of this.drawn) object.visible = seen(shape.kind, this.on);
   }
 
   private ground(length: number): GridHelper {
     const step = 10 ** Math.floor(Math.log10(length / 2));
     const count = 2 * Math.ceil((1.5 * length) / step);
     const grid = new GridHelper(count * step, count);
+    grid.material.vertexColors = false;
     const center = middle(this.box);
     if (this.head.planar) {
       grid.rotation.x = Math.PI / 2;
@@ -207,8 +200,9 @@ export class Stage {
   }
 
   /** The view goes with the machine. */
-  private go(): void {
+  private go(now: Moment): void {
     if (this.followed === null) return;
+    this.set(now);
     const center = middle(this.machine());
     const step = center.clone().sub(this.followed);
     this.followed = center;
@@ -256,8 +250,8 @@ export class Stage {
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (width === 0 || height === 0) return;
-    this.screen.size(width, height);
-    this.fit((this.other?.beside ? 0.5 : 1) * (width / height));
+    this.screen.renderer.setSize(width, height);
+    this.fit(width / height / (1 + this.beside.length));
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.legible(height);
@@ -270,71 +264,48 @@ export class Stage {
     const distance = camera.position.distanceTo(middle(this.box));
     const seen = camera instanceof OrthographicCamera ? camera.top - camera.bottom : 2 * distance * Math.tan((camera.fov * Math.PI) / 360);
     const least = (LEAST_LETTERS * seen) / height;
-    this.scene.traverse((object) => {
-      if (!(object instanceof Sprite)) return;
-      const own = (object.userData.height ??= object.scale.y) as number;
-      object.scale.multiplyScalar(Math.max(own, least) / object.scale.y);
-    });
+    for (const { userData, scale } of this.scene.getObjectsByProperty("isSprite", true)) {
+      userData.height ??= scale.y;
+      scale.multiplyScalar(Math.max(userData.height as number, least) / scale.y);
+    }
   }
 
   /** Colours of the page behind the machine. */
   theme(): void {
     const style = getComputedStyle(document.documentElement);
-    this.scene.background = new Color(style.getPropertyValue("--stage").trim());
-    const ink = new Color(style.getPropertyValue("--grid").trim());
-    for (const material of [this.grid.material].flat()) {
-      material.vertexColors = false;
-      material.color = ink;
-      material.needsUpdate = true;
-    }
+    this.scene.background = new Color(style.getPropertyValue("--stage"));
+    this.grid.material.color.set(style.getPropertyValue("--grid"));
     this.render();
   }
 
-  pose(motion: Motion, numbers: Float64Array, t: number): void {
-    this.now = { motion, numbers, t };
-    this.set(this.now);
-    this.go();
+  /** Draws a moment of a motion, whose numbers it returns. */
+  pose(motion: Motion, t: number): Float64Array {
+    this.now = momentOf(motion, t);
+    this.go(this.now);
     this.overlay?.pose(t);
     this.render();
+    return this.now.numbers;
   }
 
   private set({ motion, numbers, t }: Moment): void {
-    const frame = { numbers, first: this.head.scene.first };
     const row = motion.rowAt(t);
     for (const drawn of this.drawn) {
-      drawn.follow?.(motion, row);
-      drawn.update(frame);
+      drawn.update(this.rowOf(numbers), motion, row);
       drawn.object.updateMatrixWorld(true);
     }
   }
 
-  /** Another motion, left of the present one or pale behind it; null takes it away. */
-  compare(motion: Motion | null, beside: boolean): void {
-    this.other = motion === null ? null : { motion, numbers: new Float64Array(motion.width), beside };
-    this.resize();
+  /** The numbers of the scene. */
+  private rowOf(numbers: Float64Array): Numbers {
+    return numbers.subarray(this.head.scene.first);
   }
 
-  /** Pale postures at several times; none takes them away. The caller poses the machine anew. */
-  postures(motion: Motion, times: number[]): void {
-    this.ghosts.clear();
-    const numbers = new Float64Array(motion.width);
-    for (const time of times) {
-      motion.state(time, numbers);
-      for (const drawn of this.drawn) {
-        if (STILL.has(drawn.shape.kind)) continue;
-        drawn.update({ numbers, first: this.head.scene.first });
-        if (!drawn.object.visible) continue;
-        const ghost = drawn.object.clone();
-        ghost.traverse((object) => {
-          if (!(object instanceof Mesh)) return;
-          const material = (object.material as MeshLambertMaterial).clone();
-          Object.assign(material, { transparent: true, opacity: 0.22, depthWrite: false });
-          object.material = material;
-        });
-        this.ghosts.add(ghost);
-      }
-    }
-    this.ghosts.updateMatrixWorld(true);
+  /** Motions left of the present one and pale behind it. The caller poses the machine anew. */
+  accompany(beside: Companion[], behind: Companion[]): void {
+    const before = this.beside.length;
+    this.beside = beside;
+    this.behind = behind;
+    if (beside.length !== before) this.resize();
   }
 
   /** The picture in lines and faces. */
@@ -343,22 +314,21 @@ export class Stage {
   }
 
   render(): void {
-    const { now, other } = this;
+    const { now } = this;
     if (now === null) return;
-    if (other === null) return this.screen.draw(this.scene, this.camera);
-    const t = Math.min(now.t, other.motion.last);
-    const first = { ...other, numbers: other.motion.state(t, other.numbers), t };
-    this.screen.pair(this.scene, this.camera, other.beside, [first, now].map((moment) => () => {
-      this.arrows.visible = this.ghosts.visible = moment === now;
+    const posed = (moment: Moment) => (): void => {
+      this.arrows.visible = moment === now;
       this.set(moment);
-    }));
+    };
+    const along = ({ motion, t = Math.min(now.t, motion.last) }: Companion): Panel[number] => posed(momentOf(motion, t));
+    this.screen.draw(this.scene, this.camera, [...this.beside.map((each) => [along(each)]), [...this.behind.map(along), posed(now)]]);
   }
 
   /** The ray through a place of the window. */
   private ray(x: number, y: number): Raycaster {
     const bounds = this.canvas.getBoundingClientRect();
     const across = (x - bounds.left) / bounds.width;
-    const at = new Vector2((this.other?.beside ? (2 * across) % 1 : across) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
+    const at = new Vector2((((1 + this.beside.length) * across) % 1) * 2 - 1, 1 - ((y - bounds.top) / bounds.height) * 2);
     const caster = new Raycaster();
     caster.setFromCamera(at, this.camera);
     return caster;
@@ -369,16 +339,17 @@ export class Stage {
     const hit = this.hitAt(x, y);
     const shape = hit?.object.userData.shape as Shape | undefined;
     if (hit === undefined || shape === undefined || this.now === null) return null;
-    const frame = { numbers: this.now.numbers, first: this.head.scene.first };
+    const { numbers } = this.now;
+    const { first } = this.head.scene;
     if (shape.kind === "dial") {
       const hand = shape.parts[shape.parts.length - 1];
-      const [axes, parts] = [this.sizes.boards[hand.board ?? 0], [[frame.first + hand.numbers.to, 1]] as Pull["parts"]];
-      return { parts, axes, point: new Vector3(...placeIn(frame.numbers, parts)).applyMatrix4(axes) };
+      const [axes, parts] = [this.sizes.boards[hand.board ?? 0], [[first + hand.numbers.to, 1]] as Pull["parts"]];
+      return { parts, axes, point: new Vector3(...placeIn(numbers, parts)).applyMatrix4(axes) };
     }
     const part = hit.object.userData.part as Part | undefined;
     if (part === undefined || part.still || !("at" in part.numbers) || !(SOLID.has(shape.kind) || LINKS.has(shape.kind))) return null;
-    const parts = within(part.numbers, hit.point, frame);
-    return { parts, axes: new Matrix4(), point: new Vector3(...placeIn(frame.numbers, parts)) };
+    const parts = within(Object.fromEntries(Object.entries(part.numbers).map(([role, column]) => [role, first + column])), hit.point, numbers);
+    return { parts, axes: new Matrix4(), point: new Vector3(...placeIn(numbers, parts)) };
   }
 
   /** The place under the pointer in the plane through a point that faces the viewer, and the directions right and up in it. */
@@ -404,42 +375,37 @@ export class Stage {
   }
 
   /** The value behind an arrow, as it is now. */
-  value(shape: Shape, numbers: Float64Array): string {
+  value(shape: Shape): string {
     if (this.overlay?.drawn.some((drawn) => drawn.shape === shape)) return this.overlay.value(shape);
-    if (shape.kind !== "force" && shape.kind !== "torque") return "";
-    const length = vector(shape.numbers, "vector", { numbers, first: this.head.scene.first }).length();
-    return `${sizeText(length)} ${unitOf(shape)}`;
+    return this.now !== null && (shape.kind === "force" || shape.kind === "torque") ? lengthOf(shape, this.rowOf(this.now.numbers)) : "";
   }
 
   highlight(shapes: readonly Shape[]): void {
     for (const drawn of this.all) {
       const ink = shapes.includes(drawn.shape) ? 0x7a5200 : 0;
-      drawn.object.traverse((object) => {
-        if (object instanceof Mesh && object.material instanceof MeshLambertMaterial) object.material.emissive.setHex(ink);
-      });
+      const meshes = drawn.object.getObjectsByProperty("isMesh", true) as Mesh<BufferGeometry, MeshLambertMaterial>[];
+      for (const { material } of meshes) material.emissive.setHex(ink);
     }
     this.render();
   }
 }
 
 /** A place of a part, at the distance that it has now along the way of the part or along its axes. */
-function within(numbers: Record<string, number>, point: Vector3, frame: Frame): Pull["parts"] {
-  const column = (role: string): number => frame.first + numbers[role];
-  const at = vector(numbers, "at", frame);
-  const off = point.clone().sub(at);
+function within(columns: Record<string, number>, point: Vector3, row: Numbers): Pull["parts"] {
+  const { at, to, x, z } = columns;
+  const off = point.clone().sub(vector(columns, "at", row));
   const share = (axis: Vector3): number => off.dot(axis) / Math.max(axis.lengthSq(), 1e-300);
-  if ("to" in numbers) {
-    const part = share(vector(numbers, "to", frame).sub(at));
-    return [[column("at"), 1 - part], [column("to"), part]];
+  if ("to" in columns) {
+    const part = share(vector(columns, "to", row).sub(vector(columns, "at", row)));
+    return [[at, 1 - part], [to, part]];
   }
-  const parts: Pull["parts"] = [[column("at"), 1]];
-  for (const axis of ["x", "z"]) if (axis in numbers) parts.push([column(axis), share(vector(numbers, axis, frame))]);
-  if ("x" in numbers && "z" in numbers) {
-    parts.push([column("z"), share(vector(numbers, "z", frame).cross(vector(numbers, "x", frame))), column("x")]);
-  }
+  const parts: Pull["parts"] = [[at, 1]];
+  for (const axis of ["x", "z"]) if (axis in columns) parts.push([columns[axis], share(vector(columns, axis, row))]);
+  if ("x" in columns && "z" in columns) parts.push([z, share(vector(columns, "z", row).cross(vector(columns, "x", row))), x]);
   return parts;
 }
 
+const momentOf = (motion: Motion, t: number): Moment => ({ motion, numbers: motion.state(t), t });
 const middle = (box: Box3): Vector3 => box.getCenter(new Vector3());
 const diagonal = (box: Box3): number => box.getSize(new Vector3()).length();
 const isGauge = ({ kind }: Shape): boolean => kind === "slider" || kind === "dial";

@@ -64,13 +64,6 @@ class Session {
     return this.numbers(this.lag.lag_session_row(this.session), this.width);
   }
 
-  /** Of the last row, as it stands in the memory of the module. */
-  private derivatives(): Float64Array {
-    const { length } = this.setup.by;
-    const address = length > 0 ? this.lag.lag_session_derivatives(this.session) : 0;
-    return address === 0 ? new Float64Array(0) : this.numbers(address, length * this.width).slice();
-  }
-
   /** Addresses from __heap_base on are ours; the memory grows as it is needed. */
   private take(size: number): number {
     const start = Math.ceil(this.end / 16) * 16;
@@ -108,7 +101,8 @@ class Session {
       if (status === 0 || (status === STOPPED && time > values[Math.max(count - 1, 0) * this.width])) values.set(row, count++ * this.width);
       if (status === 0 && late) status = INTERRUPTED;
     }
-    const derivatives = status === 0 ? this.derivatives() : new Float64Array(0);
+    const address = status === 0 && by.length > 0 ? this.lag.lag_session_derivatives(this.session) : 0;
+    const derivatives = this.numbers(address, address === 0 ? 0 : by.length * this.width).slice();
     const took = performance.now() - began;
     const blamed = status > 0 ? this.blamed(status) : [];
     return { rows: values.slice(0, count * this.width), parameters, events, blamed, status, time, took, derivatives };
