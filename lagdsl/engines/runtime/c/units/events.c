@@ -52,9 +52,7 @@
 #undef PART
 #undef ROUNDING
 
-#define cross event_contacts_cross
 #include "lag/events/event_contacts.c"
-#undef cross
 
 #define pass event_iteration_pass
 #include "lag/events/event_iteration.c"
@@ -88,19 +86,17 @@
 #include "lag/events/noise.c"
 #undef count_of
 
-#define cross refraction_cross
+#define MOST_HALVES refraction_MOST_HALVES
+#define MOST_STEPS refraction_MOST_STEPS
+#define NEAR refraction_NEAR
+#define find_rates refraction_find_rates
 #define turn_relation refraction_turn_relation
 #include "lag/events/refraction.c"
-#undef cross
-#undef turn_relation
-
-#define MOST_HALVES refraction_balance_MOST_HALVES
-#define MOST_STEPS refraction_balance_MOST_STEPS
-#define NEAR refraction_balance_NEAR
-#include "lag/events/refraction_balance.c"
 #undef MOST_HALVES
 #undef MOST_STEPS
 #undef NEAR
+#undef find_rates
+#undef turn_relation
 
 #define HALVES timed_HALVES
 #define ULPS timed_ULPS
@@ -154,7 +150,9 @@
 #undef BESIDE
 #undef find_sides
 
+#define find_rates run_fault_find_rates
 #include "lag/run/run_fault.c"
+#undef find_rates
 
 #define step_once run_fixed_step_once
 #include "lag/run/run_fixed.c"

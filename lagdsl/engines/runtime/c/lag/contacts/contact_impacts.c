@@ -144,11 +144,13 @@ static lag_status gather(lag_contacts *contacts, const double *collision, const 
     return model->nfriction > 0 ? add_frictions(contacts) : LAG_OK;
 }
 
-static void keep_compliance(lag_contacts *contacts)
+void lag_contacts_keep_blow(lag_contacts *contacts)
 {
     for (size_t i = 0; i < contacts->blows.rows.normals; ++i) {
-        if (contacts->blows.part[i] < (double)contacts->motion->model->ncontact) {
-            contacts->blows.compliance[(size_t)contacts->blows.part[i]] = contacts->blows.rows.compliance[i];
+        const size_t contact = (size_t)contacts->blows.part[i];
+        if (contact < contacts->motion->model->ncontact) {
+            contacts->blows.compliance[contact] = contacts->blows.rows.compliance[i];
+            contacts->sizes.blow[contact] = fmax(contacts->sizes.blow[contact], contacts->blows.rows.scale[i]);
         }
     }
 }
@@ -174,7 +176,7 @@ static lag_status solve_impacts(lag_contacts *contacts, double t, double *x, con
         if (status != LAG_OK) {
             return status;
         }
-        keep_compliance(contacts);
+        lag_contacts_keep_blow(contacts);
     }
     return LAG_EVENT_ITERATION_FAILED;
 }

@@ -49,9 +49,8 @@ typedef struct lag_sides {
     int begins;            /* this is the start, from which no side was chosen yet */
 } lag_sides;
 
-/* The state and the relations as they were, for what is tried. */
+/* States that are tried. */
 typedef struct lag_trial {
-    double *x, *truth;     /* (2 nq + nz) (nindicator) before a relation turns */
     double *point;         /* (2 nq + nz) */
     double *states;        /* (nz) before the clauses of this pass set them */
 } lag_trial;

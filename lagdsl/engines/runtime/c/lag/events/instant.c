@@ -36,8 +36,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
     lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
-    lag_refraction_place(
-        &instants->refraction, motion, &instants->impulse, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
+    lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
     instants->departed = lag_take(&memory, model->nindicator);
@@ -215,7 +214,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, c
     int jumped = 0;
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
-        status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
+        status = lag_impulse_balance(&instants->impulse, t, x, NULL, NULL, &jumped);
         instants->modes.jumped = 1;
     }
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
@@ -235,7 +234,7 @@ static lag_status change_with_time(lag_instants *instants, double t, double *x, 
         status = lag_timed_change(&instants->timed, t);
     }
     instants->modes.jumped = 1;
-    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
+    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, NULL, jumped) : status;
 }
 
 /* Reports the changes with time. */
