@@ -66,13 +66,13 @@
 #undef SHORT
 #undef find_sides
 
-#define count_of guards_count_of
 #define evaluate guards_evaluate
 #define size_of guards_size_of
+#define take_values guards_take_values
 #include "lag/events/guards.c"
-#undef count_of
 #undef evaluate
 #undef size_of
+#undef take_values
 
 #define ULPS instant_ULPS
 #define remember instant_remember
@@ -132,7 +132,9 @@
 
 #include "lag/run/extremes.c"
 
+#define take_values output_extremes_take_values
 #include "lag/run/output_extremes.c"
+#undef take_values
 
 #include "lag/run/results.c"
 
