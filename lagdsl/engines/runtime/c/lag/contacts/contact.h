@@ -91,7 +91,8 @@ lag_status lag_contacts_impact(
 /* Sets the contacts that are closed behind these impacts, and those that are held, as their bounces accumulate. */
 lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const double *x);
 
-/* Compliances and terms of rates of the blow whose rows were solved last. */
+/* The gap of contact i, or behind them of a collision, as a row of a blow; compliances and terms of rates of one that was solved. */
+void lag_contacts_add_to_blow(lag_contacts *contacts, size_t i, double restitution);
 void lag_contacts_keep_blow(lag_contacts *contacts);
 
 /* The first time up to which bounces last that were too short to follow; infinite without. */

@@ -183,8 +183,7 @@ static lag_status add_contacts(lag_refraction *r, double t, const double *x)
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
         const int bends = fabs(contacts->speed[i] - r->gap_speeds[i]) > lag_contacts_speed_band(contacts, i);
         if (*lag_contacts_flag(contacts, i) != 0.0 && !bends) {
-            contacts->blows.part[contacts->blows.rows.normals] = (double)i;
-            lag_inequalities_add_normal(&contacts->blows.rows, model->nq, contacts->jacobian + i * model->nq, contacts->speed[i], 0.0);
+            lag_contacts_add_to_blow(contacts, i, 0.0);
         }
     }
     return status;
