@@ -133,9 +133,6 @@ lag_status lag_event_iteration_balance(lag_event_iteration *iteration, double t,
  */
 lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back);
 
-/* Relations that are zero at the start, but for round-off, turn if rates or accelerations lead them to the other side: flags in `turned`. */
-lag_status lag_event_iteration_start_sides(lag_event_iteration *iteration, double t, double *x, double *turned);
-
 /*
  * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from
  * now on: one that stays at zero turns if it holds there, as `f >= 3 N` of a force that rises to 3 N.

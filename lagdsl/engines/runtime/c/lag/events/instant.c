@@ -13,7 +13,7 @@ static const double ULPS = 4096.0;
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_frictions_memory(model) + lag_modes_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
-           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
+           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -39,7 +39,6 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
-    instants->departed = lag_take(&memory, model->nindicator);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.refraction = &instants->refraction;
     instants->iteration.modes = &instants->modes;
@@ -179,9 +178,8 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         motion->w[instants->places.initial] = 1.0;
     }
     remember(instants, x);
-    status = lag_event_iteration_start_sides(&instants->iteration, t, x, instants->departed);
     instants->iteration.sides.begins = 1;
-    status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
+    status = run(instants, t, x, NULL, NULL);
     instants->iteration.sides.begins = 0;
     return status;
 }
