@@ -355,13 +355,16 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
             return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : report_frictions(iteration, t, x);
         }
     }
+    if (status != LAG_OK) {
+        return status; /* what is guilty of it is known */
+    }
     for (size_t i = 0; i < model->nw; ++i) {
         iteration->discretes.guilty[i] = iteration->discretes.before[i] != w[i];
     }
     for (size_t i = 0; i < model->ncontact; ++i) { /* blows do not open what constraints close */
         iteration->discretes.guilty[iteration->places.contact + i] += iteration->contacts->blows.approach[i] != 0.0;
     }
-    return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
+    return LAG_EVENT_ITERATION_FAILED;
 }
 
 /* ---- what is continuous ---- */

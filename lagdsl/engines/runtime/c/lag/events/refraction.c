@@ -280,13 +280,17 @@ static lag_status find_rates(lag_refraction *r, double t, const double *x, const
     memcpy(r->impulse->rates, x + n, n * sizeof(double));
     lag_status status = add_contacts(r, t, x);
     status = status == LAG_OK ? add_impulse(r, t, r->rate, side->sense, &by) : status;
-    status = status == LAG_OK ? lag_impulse_respond(r->impulse, r->gradient, r->along) : status;
+    if (status != LAG_OK) {
+        return status;
+    }
+    status = lag_impulse_respond(r->impulse, r->gradient, r->along);
     b.slope = lag_dot(n, r->gradient, r->along);
-    status = status == LAG_SINGULAR || (status == LAG_OK && !(b.slope > 0.0)) ? LAG_MOMENTUM_UNREACHABLE : status;
     if (status == LAG_OK && is_determined(r, x)) {
         *found = 1; /* the balance of momenta says it all */
+        lag_contacts_keep_blow(r->contacts);
         return LAG_OK;
     }
+    status = status == LAG_OK && !(b.slope > 0.0) ? LAG_SINGULAR : status;
     for (int k = 0; k < MOST_STEPS && status == LAG_OK; ++k) {
         const double speed = b.speed;
         status = evaluate_balance(r, t, r->rate, side, side->sense * u, &b);
@@ -307,11 +311,11 @@ static lag_status find_rates(lag_refraction *r, double t, const double *x, const
         if (last) {
             *found = status == LAG_OK;
             lag_contacts_keep_blow(r->contacts);
-            return status;
+            break;
         }
         u += by;
     }
-    return status == LAG_OK ? LAG_MOMENTUM_UNREACHABLE : status;
+    return (status == LAG_OK && !*found) || status == LAG_SINGULAR ? LAG_MOMENTUM_UNREACHABLE : status;
 }
 
 lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t which, double lookahead, int *refracted, int *back)
