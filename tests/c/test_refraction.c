@@ -1,6 +1,6 @@
 /*
- * Tests events/refraction.c (across a step of energy momenta change along the gradient; the motion turns back where its energy does not suffice) and
- * events/refraction_balance.c (the impulse that balances the energy).
+ * Tests events/refraction.c: across a step of energy momenta change along the gradient by the impulse that balances the energy; the motion turns back
+ * where its energy does not suffice.
  */
 #include "law.h"
 
@@ -90,35 +90,12 @@ static void momenta_change_along_the_gradient_by_what_the_energy_asks_for(void)
     }
 }
 
-/* The impulse by itself: back from (2, 1) against the gradient (1, 1) of masses (1, 4): mu = -2 (vx + vy)/(1 + 1/4). */
-static void the_balance_has_a_root_on_either_side(void)
-{
-    lag_model model;
-    double x[4] = {0.0, 0.0, 2.0, 1.0};
-    double size = 0.0;
-    int found = 0;
-    lag_run *run = cross(&model, 1.0, 1.0, 1.0, 4.0, 2.0, 1.0, 0.0);
-    lag_refraction *r = &run->instants.refraction;
-    lag_side side = {.sense = -1.0};
-    r->gradient[0] = r->gradient[1] = 1.0;
-    CHECK(lag_refraction_energy(r, 0.0, x, &side.energy, &size) == LAG_OK);
-    CHECK_NEAR(side.energy, 4.0, 1e-14);
-    CHECK(lag_impulse_keep_momenta(r->impulse, 0.0, x, run->motion.w) == LAG_OK);
-    memcpy(r->before, r->impulse->before, 2 * sizeof(double));
-    CHECK(lag_impulse_evaluate(r->impulse, 0.0, x) == LAG_OK);
-    CHECK(lag_refraction_find(r, 0.0, x, &side, &found) == LAG_OK && found);
-    CHECK_NEAR(x[2], 2.0 - 4.8, 1e-9);
-    CHECK_NEAR(x[3], 1.0 - 1.2, 1e-9);
-    free(run);
-}
-
 int main(void)
 {
     a_step_takes_its_energy_from_the_normal_speed();
     what_cannot_climb_the_step_turns_back();
     only_the_direction_of_the_border_counts();
     momenta_change_along_the_gradient_by_what_the_energy_asks_for();
-    the_balance_has_a_root_on_either_side();
     (void)printf("refraction: ok\n");
     return EXIT_SUCCESS;
 }

@@ -1,5 +1,5 @@
 /*
- * Tests contacts/reserve.c (rows that share undetermined forces have one reserve) and contacts/reserve_program.c (the largest least one, a linear
+ * Tests contacts/reserve.c (rows that share undetermined forces have one reserve, the largest least one, a linear
  * program) on a table of four legs at (1, 1), (1, -1), (-1, 1), (-1, -1), which a force pushes along x.
  */
 #include "law.h"

@@ -52,9 +52,7 @@
 #undef PART
 #undef ROUNDING
 
-#define cross event_contacts_cross
 #include "lag/events/event_contacts.c"
-#undef cross
 
 #define pass event_iteration_pass
 #include "lag/events/event_iteration.c"
@@ -68,13 +66,13 @@
 #undef SHORT
 #undef find_sides
 
-#define count_of guards_count_of
 #define evaluate guards_evaluate
 #define size_of guards_size_of
+#define take_values guards_take_values
 #include "lag/events/guards.c"
-#undef count_of
 #undef evaluate
 #undef size_of
+#undef take_values
 
 #define ULPS instant_ULPS
 #define remember instant_remember
@@ -88,19 +86,17 @@
 #include "lag/events/noise.c"
 #undef count_of
 
-#define cross refraction_cross
+#define MOST_HALVES refraction_MOST_HALVES
+#define MOST_STEPS refraction_MOST_STEPS
+#define NEAR refraction_NEAR
+#define find_rates refraction_find_rates
 #define turn_relation refraction_turn_relation
 #include "lag/events/refraction.c"
-#undef cross
-#undef turn_relation
-
-#define MOST_HALVES refraction_balance_MOST_HALVES
-#define MOST_STEPS refraction_balance_MOST_STEPS
-#define NEAR refraction_balance_NEAR
-#include "lag/events/refraction_balance.c"
 #undef MOST_HALVES
 #undef MOST_STEPS
 #undef NEAR
+#undef find_rates
+#undef turn_relation
 
 #define HALVES timed_HALVES
 #define ULPS timed_ULPS
@@ -136,7 +132,9 @@
 
 #include "lag/run/extremes.c"
 
+#define take_values output_extremes_take_values
 #include "lag/run/output_extremes.c"
+#undef take_values
 
 #include "lag/run/results.c"
 
@@ -154,7 +152,9 @@
 #undef BESIDE
 #undef find_sides
 
+#define find_rates run_fault_find_rates
 #include "lag/run/run_fault.c"
+#undef find_rates
 
 #define step_once run_fixed_step_once
 #include "lag/run/run_fixed.c"

@@ -3,7 +3,7 @@
 #include "lag/contacts/friction.h"
 #include "lag/contacts/modes.h"
 #include "lag/contacts/modes_problem.h"
-#include "lag/contacts/reserve_program.h"
+#include "lag/contacts/reserve.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
@@ -40,13 +40,11 @@
 #include "lag/contacts/contact.c"
 
 #define NOTHING contact_impacts_NOTHING
-#define add contact_impacts_add
 #define add_frictions contact_impacts_add_frictions
 #define gather contact_impacts_gather
 #define row_of contact_impacts_row_of
 #include "lag/contacts/contact_impacts.c"
 #undef NOTHING
-#undef add
 #undef add_frictions
 #undef gather
 #undef row_of
@@ -83,23 +81,19 @@
 #undef limit_of
 #undef solve
 
-#define group_of reserve_group_of
+#define begin reserve_begin
+#define find_lengths reserve_find_lengths
+#define limit_of reserve_limit_of
+#define refine reserve_refine
+#define row_of reserve_row_of
+#define size_of reserve_size_of
+#define solve reserve_solve
 #include "lag/contacts/reserve.c"
-#undef group_of
-
-#define begin reserve_program_begin
-#define group_of reserve_program_group_of
-#define keep reserve_program_keep
-#define limit_of reserve_program_limit_of
-#define refine reserve_program_refine
-#define size_of reserve_program_size_of
-#define solve reserve_program_solve
-#include "lag/contacts/reserve_program.c"
 #undef begin
-#undef group_of
-#undef keep
+#undef find_lengths
 #undef limit_of
 #undef refine
+#undef row_of
 #undef size_of
 #undef solve
 
@@ -135,9 +129,7 @@
 
 #include "lag/impulses/impulse_step.c"
 
-#define add inequalities_add
 #include "lag/impulses/inequalities.c"
-#undef add
 
 #include "lag/impulses/position_maps.c"
 
@@ -155,7 +147,9 @@
 
 #include "lag/initial/initial_equations_rates.c"
 
+#define find_lengths initial_equations_rows_find_lengths
 #include "lag/initial/initial_equations_rows.c"
+#undef find_lengths
 
 #define TRIES initial_equations_search_TRIES
 #define descend initial_equations_search_descend

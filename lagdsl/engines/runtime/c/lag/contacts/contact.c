@@ -11,7 +11,7 @@ static const double INSIDE = 1e-6;
 
 size_t lag_contacts_memory(const lag_model *model)
 {
-    return 12 * model->ncontact + 3 * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
+    return 13 * model->ncontact + 3 * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
 }
 
 static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
@@ -25,7 +25,7 @@ static void place_gaps(lag_contacts *contacts, const lag_model *model, double **
 
 static void place_each(lag_contacts *contacts, size_t count, double **memory)
 {
-    double **const arrays[] = {&contacts->sizes.force, &contacts->until, &contacts->restitution,
+    double **const arrays[] = {&contacts->sizes.force, &contacts->sizes.blow, &contacts->until, &contacts->restitution,
         &contacts->capture_speed, &contacts->zeno_time, &contacts->blows.approach, &contacts->blows.order, &contacts->blows.closing, &contacts->blows.before,
         &contacts->blows.back, &contacts->blows.compliance, &contacts->blows.met};
     for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {

@@ -16,6 +16,7 @@ struct lag_frictions;
 typedef struct lag_contact_sizes {
     double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
     double *force;           /* (ncontact) the largest that each had to carry, about */
+    double *blow;            /* (ncontact) the largest terms of its rate in a blow so far */
 } lag_contact_sizes;
 
 /* Blows of one instant, and what they leave (contact_impacts.c, accumulation.c). */
@@ -89,6 +90,10 @@ lag_status lag_contacts_impact(
 
 /* Sets the contacts that are closed behind these impacts, and those that are held, as their bounces accumulate. */
 lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const double *x);
+
+/* The gap of contact i, or behind them of a collision, as a row of a blow; compliances and terms of rates of one that was solved. */
+void lag_contacts_add_to_blow(lag_contacts *contacts, size_t i, double restitution);
+void lag_contacts_keep_blow(lag_contacts *contacts);
 
 /* The first time up to which bounces last that were too short to follow; infinite without. */
 double lag_contacts_end_of_bounces(const lag_contacts *contacts);

@@ -9,59 +9,45 @@ enum { MOST_IMPACTS = 10000 };
 /* A force below this part of the others is none. */
 static const double NOTHING = 1e-9;
 
-static double *flag(const lag_contacts *contacts, size_t i)
-{
-    return lag_contacts_flag(contacts, i);
-}
-
 /* Closed contacts that carry nothing are opened. */
 static lag_status release(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
     const lag_status status = lag_contacts_find_forces(contacts, t, x);
-    const int any = lag_any(count, flag(contacts, 0));
+    const int any = lag_any(count, lag_contacts_flag(contacts, 0));
     if (any) {
         lag_contacts_solve(contacts, t, x);
     }
     for (size_t i = 0; i < count && any; ++i) {
         if (lag_contacts_multiplier(contacts, i) <= NOTHING * contacts->sizes.force[i]) {
-            *flag(contacts, i) = 0.0;
+            *lag_contacts_flag(contacts, i) = 0.0;
         }
     }
     return status;
 }
 
-static void add(lag_contacts *contacts, size_t i, double restitution)
+void lag_contacts_add_to_blow(lag_contacts *contacts, size_t i, double restitution)
 {
     const size_t n = contacts->motion->model->nq;
+    contacts->blows.part[contacts->blows.rows.normals] = (double)i;
     lag_inequalities_add_normal(&contacts->blows.rows, n, contacts->jacobian + i * n, contacts->speed[i], restitution);
 }
 
-/* Flags of open contacts that close; whether there are any. */
-static int find_closing(lag_contacts *contacts)
+/* True if contact i has an approach speed beyond round-off, and is closed, or not. */
+static int is_driven(const lag_contacts *contacts, size_t i, int closed)
 {
-    int any = 0;
+    return (*lag_contacts_flag(contacts, i) != 0.0) == closed && contacts->speed[i] < -lag_contacts_speed_band(contacts, i);
+}
+
+/* Flags of open contacts that close; whether there are any. *driven: closed ones are driven in. */
+static int find_closing(lag_contacts *contacts, int *driven)
+{
+    *driven = 0;
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        const int closing = lag_contacts_touches(contacts, i) && *flag(contacts, i) == 0.0 && contacts->speed[i] < -lag_contacts_speed_band(contacts, i);
-        contacts->blows.closing[i] = closing;
-        any = any || closing;
+        contacts->blows.closing[i] = is_driven(contacts, i, 0) && lag_contacts_touches(contacts, i);
+        *driven = *driven || is_driven(contacts, i, 1);
     }
-    return any;
-}
-
-/* True if contact i is closed and has an approach speed beyond round-off. */
-static int is_driven(const lag_contacts *contacts, size_t i)
-{
-    return *flag(contacts, i) != 0.0 && contacts->speed[i] < -lag_contacts_speed_band(contacts, i);
-}
-
-static int any_driven(const lag_contacts *contacts)
-{
-    size_t i = 0;
-    while (i < contacts->motion->model->ncontact && !is_driven(contacts, i)) {
-        ++i;
-    }
-    return i < contacts->motion->model->ncontact;
+    return lag_any(contacts->motion->model->ncontact, contacts->blows.closing);
 }
 
 /* Contacts that close. */
@@ -69,8 +55,7 @@ static void add_closing(lag_contacts *contacts)
 {
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
         if (contacts->blows.closing[i] != 0.0) {
-            contacts->blows.part[contacts->blows.rows.normals] = (double)i;
-            add(contacts, i, contacts->restitution[i]);
+            lag_contacts_add_to_blow(contacts, i, contacts->restitution[i]);
             contacts->blows.hit[lag_contacts_component(contacts, i)] = 1.0;
             if (contacts->blows.approach[i] == 0.0) {
                 contacts->blows.approach[i] = contacts->speed[i];
@@ -125,30 +110,30 @@ static lag_status gather(lag_contacts *contacts, const double *collision, const 
     add_closing(contacts);
     for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
         if (collision[i] != 0.0) {
-            contacts->blows.part[contacts->blows.rows.normals] = (double)(model->ncontact + i);
-            add(contacts, model->ncontact + i, restitution[i]);
+            lag_contacts_add_to_blow(contacts, model->ncontact + i, restitution[i]);
             contacts->blows.hit[lag_contacts_component(contacts, model->ncontact + i)] = 1.0;
         }
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        if (is_driven(contacts, i)) {
+        if (is_driven(contacts, i, 1)) {
             contacts->blows.hit[lag_contacts_component(contacts, i)] = 1.0;
         }
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        if (*flag(contacts, i) != 0.0 && contacts->blows.closing[i] == 0.0 && contacts->blows.hit[lag_contacts_component(contacts, i)] != 0.0) {
-            contacts->blows.part[contacts->blows.rows.normals] = (double)i;
-            add(contacts, i, 0.0);
+        if (*lag_contacts_flag(contacts, i) != 0.0 && contacts->blows.closing[i] == 0.0 && contacts->blows.hit[lag_contacts_component(contacts, i)] != 0.0) {
+            lag_contacts_add_to_blow(contacts, i, 0.0);
         }
     }
     return model->nfriction > 0 ? add_frictions(contacts) : LAG_OK;
 }
 
-static void keep_compliance(lag_contacts *contacts)
+void lag_contacts_keep_blow(lag_contacts *contacts)
 {
     for (size_t i = 0; i < contacts->blows.rows.normals; ++i) {
-        if (contacts->blows.part[i] < (double)contacts->motion->model->ncontact) {
-            contacts->blows.compliance[(size_t)contacts->blows.part[i]] = contacts->blows.rows.compliance[i];
+        const size_t contact = (size_t)contacts->blows.part[i];
+        if (contact < contacts->motion->model->ncontact) {
+            contacts->blows.compliance[contact] = contacts->blows.rows.compliance[i];
+            contacts->sizes.blow[contact] = fmax(contacts->sizes.blow[contact], contacts->blows.rows.scale[i]);
         }
     }
 }
@@ -159,22 +144,19 @@ static lag_status solve_impacts(lag_contacts *contacts, double t, double *x, con
     const size_t collisions = collision != NULL ? contacts->motion->model->ncollision : 0;
     for (int k = 0; k < MOST_IMPACTS; ++k) {
         const int struck = k == 0 && lag_any(collisions, collision);
+        int driven = 0;
         lag_status status = lag_contacts_evaluate_at(contacts, t, x);
-        if (status == LAG_OK && (find_closing(contacts) || struck) && contacts->blows.struck == 0) {
-            status = release(contacts, t, x);
-        }
-        if (status != LAG_OK) {
+        const int strikes = status == LAG_OK && (find_closing(contacts, &driven) || struck);
+        if (status != LAG_OK || (!strikes && !driven)) {
             return status;
         }
-        if (!lag_any(contacts->motion->model->ncontact, contacts->blows.closing) && !struck && !any_driven(contacts)) {
-            return LAG_OK;
-        }
-        status = gather(contacts, struck ? collision : NULL, restitution);
+        status = strikes && contacts->blows.struck == 0 ? release(contacts, t, x) : LAG_OK;
+        status = status == LAG_OK ? gather(contacts, struck ? collision : NULL, restitution) : status;
         status = status == LAG_OK ? lag_impulse_impact(contacts->impulse, t, x, &contacts->blows.rows) : status;
         if (status != LAG_OK) {
             return status;
         }
-        keep_compliance(contacts);
+        lag_contacts_keep_blow(contacts);
     }
     return LAG_EVENT_ITERATION_FAILED;
 }
@@ -182,13 +164,13 @@ static lag_status solve_impacts(lag_contacts *contacts, double t, double *x, con
 lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
-    if (!lag_any(count, flag(contacts, 0))) {
+    if (!lag_any(count, lag_contacts_flag(contacts, 0))) {
         return LAG_OK;
     }
     const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         if (!lag_contacts_touches(contacts, i) || contacts->speed[i] > lag_contacts_speed_band(contacts, i)) {
-            *flag(contacts, i) = 0.0;
+            *lag_contacts_flag(contacts, i) = 0.0;
         }
     }
     return status;
@@ -197,9 +179,9 @@ lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x)
 int lag_contacts_are_at_rest(lag_contacts *contacts, double t, const double *x)
 {
     const size_t count = contacts->motion->model->ncontact;
-    int hold = !lag_any(count, flag(contacts, 0)) || lag_contacts_evaluate_at(contacts, t, x) == LAG_OK;
+    int hold = !lag_any(count, lag_contacts_flag(contacts, 0)) || lag_contacts_evaluate_at(contacts, t, x) == LAG_OK;
     for (size_t i = 0; i < count && hold; ++i) {
-        hold = *flag(contacts, i) == 0.0 || fabs(contacts->speed[i]) <= lag_contacts_speed_band(contacts, i);
+        hold = *lag_contacts_flag(contacts, i) == 0.0 || fabs(contacts->speed[i]) <= lag_contacts_speed_band(contacts, i);
     }
     return hold;
 }
@@ -210,7 +192,7 @@ lag_status lag_contacts_impact(
     const size_t count = contacts->motion->model->ncontact;
     contacts->blows.struck = 0;
     memset(contacts->blows.approach, 0, count * sizeof(double));
-    memcpy(contacts->blows.before, flag(contacts, 0), count * sizeof(double));
+    memcpy(contacts->blows.before, lag_contacts_flag(contacts, 0), count * sizeof(double));
     const lag_status status = solve_impacts(contacts, t, x, collision, restitution);
     return status == LAG_OK ? lag_contacts_accumulate(contacts, t, x) : status;
 }

@@ -84,7 +84,7 @@ double lag_contacts_gap_band(const lag_contacts *contacts, size_t i)
 double lag_contacts_speed_band(const lag_contacts *contacts, size_t i)
 {
     const double drift = contacts->length > 0.0 ? TOUCHING * lag_contacts_scale(contacts, i) / contacts->length : 0.0;
-    return lag_higher(TOUCHING * lag_contacts_pace(contacts, i), drift);
+    return lag_higher(TOUCHING * lag_higher(lag_contacts_pace(contacts, i), contacts->sizes.blow[i]), drift);
 }
 
 lag_status lag_contacts_evaluate(lag_contacts *contacts)

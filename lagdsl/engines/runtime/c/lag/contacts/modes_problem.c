@@ -57,37 +57,30 @@ static void leave_out_loads(const lag_modes *modes, double *w)
     }
 }
 
-/* M, f, J, gamma with the discretes w. */
-static lag_status evaluate_dynamics(lag_modes *modes, const double *w, double *force, double *jacobian, double *gamma)
+/* The rows of the problem act in w (nw), or do not. */
+static void set_rows(const lag_modes *modes, int act, double *w)
 {
-    lag_motion *motion = modes->motion;
-    motion->at.w = w;
-    const lag_status status = motion->model->dynamics(&motion->at, modes->impulse->mass, force, jacobian, gamma);
-    motion->at.w = motion->w;
-    return status;
+    for (size_t i = 0; i < modes->motion->model->ncontact; ++i) {
+        w[modes->places.contact + i] = modes->normal[i] != 0.0 ? act : w[modes->places.contact + i];
+    }
+    for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
+        const int sought = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k));
+        w[modes->places.sticks + k] = sought ? act * modes->loose[k] : w[modes->places.sticks + k];
+    }
 }
 
 /* Rows and biases with all that may act. Afterwards modes->w has what acts without. */
 static lag_status find_rows(lag_modes *modes)
 {
-    const lag_model *model = modes->motion->model;
-    double *w = modes->w;
-    memcpy(w, modes->motion->w, model->nw * sizeof(double));
-    set_directions(modes, w);
-    leave_out_loads(modes, w);
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 1.0 : w[modes->places.contact + i];
-    }
-    for (size_t k = 0; k < model->nfriction; ++k) {
-        w[modes->places.sticks + k] = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k)) ? modes->loose[k] : w[modes->places.sticks + k];
-    }
-    const lag_status status = evaluate_dynamics(modes, w, modes->force, modes->jacobian, modes->gamma);
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        w[modes->places.contact + i] = modes->normal[i] != 0.0 ? 0.0 : w[modes->places.contact + i];
-    }
-    for (size_t k = 0; k < model->nfriction; ++k) {
-        w[modes->places.sticks + k] = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k)) ? 0.0 : w[modes->places.sticks + k];
-    }
+    lag_motion *motion = modes->motion;
+    memcpy(modes->w, motion->w, motion->model->nw * sizeof(double));
+    set_directions(modes, modes->w);
+    leave_out_loads(modes, modes->w);
+    set_rows(modes, 1, modes->w);
+    motion->at.w = modes->w;
+    const lag_status status = motion->model->dynamics(&motion->at, modes->impulse->mass, modes->force, modes->jacobian, modes->gamma);
+    motion->at.w = motion->w;
+    set_rows(modes, 0, modes->w);
     return status;
 }
 

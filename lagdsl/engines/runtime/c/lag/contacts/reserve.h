@@ -5,7 +5,8 @@
  *
  *     max s   subject to   J' d = 0,   norm(lam_t + d_t) + s size_t <= R_0(lam_n + d_n),   s size_n <= lam_n + d_n
  *
- * with lam the smallest forces. A disc of friction in a plane is met by tangents, which are added where a solution is outside of it.
+ * with lam the smallest forces. A disc of friction in a plane is met by tangents, which are added where a solution is outside of it. A contact is a
+ * side like friction: it bears its own force, and has no load.
  */
 #ifndef LAG_RESERVE_H
 #define LAG_RESERVE_H
@@ -18,11 +19,10 @@ typedef struct lag_reserve {
     lag_frictions *frictions;
     double *jacobian, *residual; /* (nc, nq) (nc) of the present mode */
     double force_size;       /* the largest force of the rows of a group, as if they had unit length */
-    double *active;          /* (nc) its rows that act, so many: */
-    size_t count;
-    double *length;          /* (nc) of these rows */
-    double *shared;          /* (count, count) the projection onto forces without effect, by unit rows */
-    double *group;           /* (nc) the group of an active row; zero: it shares nothing */
+    double *length;          /* (nc) of each row; zero: it does not act */
+    double *basis;           /* (undetermined, nc) of forces without effect, by unit rows, orthonormal; */
+    size_t undetermined;     /* so many */
+    double *group;           /* (nc) of each row; zero: it shares nothing, or does not act */
     double *force;           /* (nc) multipliers with the largest least reserve, */
     double *slack, *size;    /* (ncontact + nfriction) what these forces leave, and forces in which that is told */
     double *member;          /* (ncontact + nfriction) the group of each */

@@ -104,87 +104,12 @@ lag_status lag_event_iteration_change_contacts(lag_event_iteration *iteration, d
 
 /* ---- steps of energy in place ---- */
 
-/* Relation `which` turns with the contacts that hold, from x as it was before. */
-static lag_status cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back)
-{
-    const lag_model *model = iteration->motion->model;
-    double *truth = iteration->motion->w + iteration->places.relation;
-    memcpy(x, iteration->trial.x, lag_motion_size(model) * sizeof(double));
-    memcpy(truth, iteration->trial.truth, model->nindicator * sizeof(double));
-    const int located = iteration->sides.located != NULL && iteration->sides.located[which] != 0.0;
-    return lag_refraction_cross(iteration->refraction, t, x, which, located ? (double)INFINITY : iteration->instant.moment, refracted, back);
-}
-
-/* True if the rates behind the step, which were evaluated last, drive in a contact that is closed and does not hold. */
-static int is_driven_in(const lag_event_iteration *iteration, size_t i)
-{
-    const lag_contacts *contacts = iteration->contacts;
-    const double speed_band = lag_contacts_speed_band(contacts, i);
-    const int bends = fabs(contacts->speed[i] - iteration->pulling[i]) > speed_band; /* a gap with a corner at the step */
-    return *lag_contacts_flag(contacts, i) != 0.0 && iteration->impulse->holding[i] == 0.0 && !bends && contacts->speed[i] < -speed_band;
-}
-
-/* Turns the relation and looks at rates of gaps behind it; the contact that is driven in most, in round-offs of its own; ncontact without. */
-static lag_status attempt(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back, size_t *worst)
-{
-    lag_contacts *contacts = iteration->contacts;
-    const size_t count = iteration->motion->model->ncontact;
-    double *truth = iteration->motion->w + iteration->places.relation + which;
-    double most = 0.0;
-    lag_status status = cross(iteration, t, x, which, refracted, back);
-    *worst = count;
-    *truth = 1.0 - *truth;
-    status = status == LAG_OK ? lag_contacts_evaluate_at(contacts, t, x) : status;
-    memcpy(iteration->pulling, contacts->speed, count * sizeof(double));
-    *truth = 1.0 - *truth;
-    status = status == LAG_OK ? lag_contacts_evaluate_at(contacts, t, x) : status;
-    for (size_t i = 0; i < count && status == LAG_OK && *refracted; ++i) {
-        const double depth = -contacts->speed[i] / fmax(lag_contacts_speed_band(contacts, i), 1e-300);
-        if (is_driven_in(iteration, i) && depth > most) {
-            most = depth;
-            *worst = i;
-        }
-    }
-    return status;
-}
-
-/*
- * The step at closed contacts: those that its blow drives in hold like constraints, as on the flank of the steep smooth step that it stands for.
- * One that held and is not driven in without holding, now that another one holds, would pull: it is let go.
- */
-static lag_status cross_on_contacts(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back)
-{
-    const size_t count = iteration->motion->model->ncontact;
-    double *holding = iteration->impulse->holding;
-    size_t worst = count;
-    size_t other = count;
-    lag_status status = attempt(iteration, t, x, which, refracted, back, &worst);
-    for (size_t held = 0; worst < count && held < count && status == LAG_OK; ++held) {
-        const size_t last = worst;
-        holding[last] = 1.0;
-        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-            if (holding[i] != 0.0 && i != last) {
-                holding[i] = 0.0;
-                status = attempt(iteration, t, x, which, refracted, back, &other);
-                holding[i] = status == LAG_OK && is_driven_in(iteration, i);
-            }
-        }
-        status = status == LAG_OK ? attempt(iteration, t, x, which, refracted, back, &worst) : status;
-    }
-    memset(holding, 0, count * sizeof(double));
-    return status;
-}
-
 lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back)
 {
-    const lag_model *model = iteration->motion->model;
     double *truth = iteration->motion->w + iteration->places.relation;
-    iteration->refraction->length = iteration->contacts->length;
-    memcpy(iteration->trial.x, x, lag_motion_size(model) * sizeof(double));
-    memcpy(iteration->trial.truth, truth, model->nindicator * sizeof(double));
-    const lag_status status = lag_any(model->ncontact, iteration->motion->w + iteration->places.contact)
-        ? cross_on_contacts(iteration, t, x, which, refracted, back)
-        : cross(iteration, t, x, which, refracted, back);
+    const int located = iteration->sides.located != NULL && iteration->sides.located[which] != 0.0;
+    const double moment = located ? (double)INFINITY : iteration->instant.moment;
+    const lag_status status = lag_refraction_cross(iteration->refraction, t, x, which, moment, refracted, back);
     truth[which] = *back ? truth[which] : 1.0 - truth[which];
     if (status == LAG_CHATTER) {
         iteration->discretes.guilty[iteration->places.relation + which] = 1.0;

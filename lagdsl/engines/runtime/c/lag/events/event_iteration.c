@@ -13,7 +13,7 @@ static const double TORN = 1e-6;
 size_t lag_event_iteration_memory(const lag_model *model)
 {
     return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           3 * lag_motion_size(model) + model->nz + 5 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
+           2 * lag_motion_size(model) + model->nz + 4 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
            lag_position_maps_memory(model);
 }
 
@@ -46,8 +46,6 @@ void lag_event_iteration_place(
     iteration->trial.states = lag_take(&memory, model->nz);
     lag_take_all(&memory, model->nindicator, (double **const[]){&iteration->sides.now, &iteration->sides.side, &iteration->sides.before,
         &iteration->sides.truth, NULL});
-    iteration->trial.x = lag_take(&memory, size);
-    iteration->trial.truth = lag_take(&memory, model->nindicator);
     iteration->closed = lag_take(&memory, model->ncontact);
     iteration->pulling = lag_take(&memory, model->ncontact);
     iteration->leaving.flags = lag_take(&memory, model->ncontact + model->nfriction);
@@ -252,7 +250,7 @@ static lag_status apply_constraints(lag_event_iteration *iteration, double t, do
     lag_status status = lag_impulse_keep_momenta(iteration->impulse, t, was, balanced_discretes(iteration));
     memcpy(iteration->discretes.settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
     if (status == LAG_OK) {
-        status = lag_impulse_balance(iteration->impulse, t, x, held, &jumped);
+        status = lag_impulse_balance(iteration->impulse, t, x, held, NULL, &jumped);
     }
     return status == LAG_OK && acted ? lag_projection_rates(iteration->projection, t, x, held) : status;
 }
@@ -262,7 +260,7 @@ lag_status lag_event_iteration_balance(lag_event_iteration *iteration, double t,
     int jumped = 0;
     const lag_status status = lag_impulse_keep_momenta(iteration->impulse, t, x, iteration->motion->w);
     memcpy(iteration->discretes.settled, iteration->motion->w, iteration->motion->model->nw * sizeof(double));
-    return status == LAG_OK ? lag_impulse_balance(iteration->impulse, t, x, NULL, &jumped) : status;
+    return status == LAG_OK ? lag_impulse_balance(iteration->impulse, t, x, NULL, NULL, &jumped) : status;
 }
 
 /*
@@ -357,13 +355,16 @@ lag_status lag_event_iteration_run(lag_event_iteration *iteration, double t, dou
             return positions_jump(iteration, t, x) ? LAG_POSITION_JUMP : report_frictions(iteration, t, x);
         }
     }
+    if (status != LAG_OK) {
+        return status; /* what is guilty of it is known */
+    }
     for (size_t i = 0; i < model->nw; ++i) {
         iteration->discretes.guilty[i] = iteration->discretes.before[i] != w[i];
     }
     for (size_t i = 0; i < model->ncontact; ++i) { /* blows do not open what constraints close */
         iteration->discretes.guilty[iteration->places.contact + i] += iteration->contacts->blows.approach[i] != 0.0;
     }
-    return status == LAG_OK ? LAG_EVENT_ITERATION_FAILED : status;
+    return LAG_EVENT_ITERATION_FAILED;
 }
 
 /* ---- what is continuous ---- */

@@ -49,9 +49,8 @@ typedef struct lag_sides {
     int begins;            /* this is the start, from which no side was chosen yet */
 } lag_sides;
 
-/* The state and the relations as they were, for what is tried. */
+/* States that are tried. */
 typedef struct lag_trial {
-    double *x, *truth;     /* (2 nq + nz) (nindicator) before a relation turns */
     double *point;         /* (2 nq + nz) */
     double *states;        /* (nz) before the clauses of this pass set them */
 } lag_trial;
@@ -133,9 +132,6 @@ lag_status lag_event_iteration_balance(lag_event_iteration *iteration, double t,
  * relation stays.
  */
 lag_status lag_event_iteration_cross(lag_event_iteration *iteration, double t, double *x, size_t which, int *refracted, int *back);
-
-/* Relations that are zero at the start, but for round-off, turn if rates or accelerations lead them to the other side: flags in `turned`. */
-lag_status lag_event_iteration_start_sides(lag_event_iteration *iteration, double t, double *x, double *turned);
 
 /*
  * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from

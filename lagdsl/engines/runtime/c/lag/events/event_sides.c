@@ -159,24 +159,6 @@ lag_status lag_event_iteration_sides(lag_event_iteration *iteration, double t, c
     return status;
 }
 
-lag_status lag_event_iteration_start_sides(lag_event_iteration *iteration, double t, double *x, double *turned)
-{
-    const lag_model *model = iteration->motion->model;
-    const double *truth = iteration->motion->w + iteration->places.relation;
-    lag_status status = model->nindicator > 0 ? find_sides(iteration, t, x, 0.0) : LAG_OK;
-    for (size_t i = 0; i < model->nindicator; ++i) {
-        turned[i] = iteration->sides.side[i] != 0.0 && (iteration->sides.side[i] > 0.0) != (truth[i] != 0.0);
-    }
-    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        int refracted = 0;
-        int back = 0;
-        if (turned[i] != 0.0) {
-            status = lag_event_iteration_cross(iteration, t, x, i, &refracted, &back);
-        }
-    }
-    return status;
-}
-
 lag_status lag_event_iteration_keep_turning(lag_event_iteration *iteration, double t, const double *x, double *turned)
 {
     const lag_model *model = iteration->motion->model;

@@ -6,29 +6,11 @@
 
 #include "lag/linalg/arena.h"
 
-/* ---- kinds of guards ---- */
+/* ---- guards: relations, contacts, frictions, corners ---- */
 
-/* Guards of one kind: how they are evaluated where `motion` is, and the value and the rounding error of the k-th. */
-typedef struct kind {
-    lag_status (*evaluate)(lag_guards *guards);
-    double (*value)(const lag_guards *guards, size_t k);
-    double (*noise)(const lag_guards *guards, size_t k);
-} kind;
-
-static lag_status evaluate_relations(lag_guards *guards)
+size_t lag_guards_count(const lag_guards *guards)
 {
-    return guards->motion->model->indicator(&guards->motion->at, guards->g);
-}
-
-static double relation(const lag_guards *guards, size_t k)
-{
-    const int holds = guards->motion->w[guards->places.relation + k] != 0.0;
-    return guards->held[k] != 0.0 ? 1.0 : holds ? guards->g[k] : -guards->g[k];
-}
-
-static double relation_noise(const lag_guards *guards, size_t k)
-{
-    return guards->noise->sigma[k];
+    return lag_guard_count(guards->motion->model) + guards->corners.count;
 }
 
 static int is_closed(const lag_guards *guards, size_t k)
@@ -36,9 +18,23 @@ static int is_closed(const lag_guards *guards, size_t k)
     return guards->motion->w[guards->places.contact + k] != 0.0;
 }
 
-static lag_status evaluate_contacts(lag_guards *guards)
+/* What all values are made of, where `motion` is. */
+static lag_status look(lag_guards *guards)
 {
-    return lag_contacts_evaluate(guards->contacts);
+    const lag_motion *motion = guards->motion;
+    const lag_model *model = motion->model;
+    double solved = 0.0;
+    lag_status status = model->nindicator > 0 ? model->indicator(&motion->at, guards->g) : LAG_OK;
+    status = status == LAG_OK && model->ncontact > 0 ? lag_contacts_evaluate(guards->contacts) : status;
+    status = status == LAG_OK && model->nfriction > 0 ? lag_frictions_evaluate(guards->frictions) : status;
+    status = status == LAG_OK && model->nfriction > 0 ? lag_reserve_evaluate(guards->reserve) : status;
+    return status == LAG_OK && guards->corners.count > 0 ? model->corner(&motion->at, guards->corners.far, &solved) : status;
+}
+
+static double relation(const lag_guards *guards, size_t k)
+{
+    const int holds = guards->motion->w[guards->places.relation + k] != 0.0;
+    return guards->held[k] != 0.0 ? 1.0 : holds ? guards->g[k] : -guards->g[k];
 }
 
 static double contact(const lag_guards *guards, size_t k)
@@ -51,85 +47,41 @@ static double contact(const lag_guards *guards, size_t k)
     return shares ? (double)INFINITY : motion->lam[motion->model->contact_rows[k]];
 }
 
-static double contact_noise(const lag_guards *guards, size_t k)
-{
-    return is_closed(guards, k) ? lag_contacts_force_noise(guards->contacts, k) : lag_contacts_gap_noise(guards->contacts, k);
-}
-
-static lag_status evaluate_frictions(lag_guards *guards)
-{
-    const lag_status status = lag_frictions_evaluate(guards->frictions);
-    return status == LAG_OK ? lag_reserve_evaluate(guards->reserve) : status;
-}
-
-static double friction(const lag_guards *guards, size_t k)
-{
-    return lag_frictions_guard(guards->frictions, k);
-}
-
-static double friction_noise(const lag_guards *guards, size_t k)
-{
-    return lag_frictions_dead_band(guards->frictions, k);
-}
-
-static lag_status evaluate_corners(lag_guards *guards)
-{
-    double solved = 0.0;
-    return guards->motion->model->corner(&guards->motion->at, guards->corners.far, &solved);
-}
-
-static double corner(const lag_guards *guards, size_t k)
-{
-    return guards->corners.side[k] * guards->corners.far[k];
-}
-
-static double corner_noise(const lag_guards *guards, size_t k)
-{
-    return guards->noise->sigma[guards->motion->model->nindicator + k];
-}
-
-enum { RELATIONS, CONTACTS, FRICTIONS, CORNERS, KINDS };
-
-static const kind KIND[KINDS] = {
-    [RELATIONS] = {evaluate_relations, relation, relation_noise},
-    [CONTACTS] = {evaluate_contacts, contact, contact_noise},
-    [FRICTIONS] = {evaluate_frictions, friction, friction_noise},
-    [CORNERS] = {evaluate_corners, corner, corner_noise},
-};
-
-/* The number of guards of kind k. Every evaluation asks this for every guard: no calls. */
-static inline size_t count_of(const lag_guards *guards, int k)
+static void take_values(lag_guards *guards)
 {
     const lag_model *model = guards->motion->model;
-    return k == RELATIONS ? model->nindicator : k == CONTACTS ? model->ncontact : k == FRICTIONS ? model->nfriction : guards->corners.count;
-}
-
-/* The kind of guard *which; its number among those of its kind instead. */
-static int kind_of(const lag_guards *guards, size_t *which)
-{
-    int k = 0;
-    while (k < KINDS - 1 && *which >= count_of(guards, k)) {
-        *which -= count_of(guards, k);
-        ++k;
+    double *value = guards->value;
+    for (size_t k = 0; k < model->nindicator; ++k) {
+        *value++ = relation(guards, k);
     }
-    return k;
-}
-
-size_t lag_guards_count(const lag_guards *guards)
-{
-    return lag_guard_count(guards->motion->model) + guards->corners.count;
-}
-
-double lag_guards_noise(const lag_guards *guards, size_t which)
-{
-    const int k = kind_of(guards, &which);
-    return KIND[k].noise(guards, which);
+    for (size_t k = 0; k < model->ncontact; ++k) {
+        *value++ = contact(guards, k);
+    }
+    for (size_t k = 0; k < model->nfriction; ++k) {
+        *value++ = lag_frictions_guard(guards->frictions, k);
+    }
+    for (size_t k = 0; k < guards->corners.count; ++k) {
+        *value++ = guards->corners.side[k] * guards->corners.far[k];
+    }
 }
 
 int lag_guards_has_noise(const lag_guards *guards, size_t which)
 {
-    const int k = kind_of(guards, &which);
-    return k == RELATIONS || k == CORNERS;
+    const lag_model *model = guards->motion->model;
+    return which < model->nindicator || which >= lag_guard_count(model);
+}
+
+double lag_guards_noise(const lag_guards *guards, size_t which)
+{
+    const lag_model *model = guards->motion->model;
+    const size_t k = which - model->nindicator;
+    if (lag_guards_has_noise(guards, which)) {
+        return guards->noise->sigma[which < model->nindicator ? which : k - model->ncontact - model->nfriction + model->nindicator];
+    }
+    if (k >= model->ncontact) {
+        return lag_frictions_dead_band(guards->frictions, k - model->ncontact);
+    }
+    return is_closed(guards, k) ? lag_contacts_force_noise(guards->contacts, k) : lag_contacts_gap_noise(guards->contacts, k);
 }
 
 int lag_guards_touches(const lag_guards *guards, size_t which)
@@ -228,7 +180,7 @@ static int seeks_gaps(const lag_guards *guards)
 static lag_status evaluate_gaps(lag_guards *guards, double t, const double *x)
 {
     lag_motion_set_state(guards->motion, t, x);
-    const lag_status status = evaluate_contacts(guards);
+    const lag_status status = lag_contacts_evaluate(guards->contacts);
     for (size_t i = guards->motion->model->nindicator; i < lag_guards_count(guards); ++i) {
         guards->value[i] = guards->sought[i] != 0.0 ? contact(guards, i - guards->motion->model->nindicator) : 0.0;
     }
@@ -246,13 +198,9 @@ static lag_status evaluate(lag_guards *guards, double t, const double *x)
     } else {
         lag_motion_set_state(guards->motion, t, x);
     }
-    double *value = guards->value;
-    for (int k = 0; k < KINDS && status == LAG_OK; ++k) {
-        const size_t count = count_of(guards, k);
-        status = count > 0 ? KIND[k].evaluate(guards) : LAG_OK;
-        for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-            *value++ = KIND[k].value(guards, i);
-        }
+    status = status == LAG_OK ? look(guards) : status;
+    if (status == LAG_OK) {
+        take_values(guards);
     }
     return status;
 }

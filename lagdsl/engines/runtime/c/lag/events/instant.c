@@ -13,7 +13,7 @@ static const double ULPS = 4096.0;
 size_t lag_instants_memory(const lag_model *model)
 {
     return 2 * model->nclock + lag_contacts_memory(model) + lag_frictions_memory(model) + lag_modes_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
-           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw + model->nindicator;
+           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
 }
 
 void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
@@ -36,11 +36,9 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
     lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
     lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
-    lag_refraction_place(
-        &instants->refraction, motion, &instants->impulse, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
+    lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
     instants->x_before = lag_take(&memory, lag_motion_size(model));
     instants->w_before = lag_take(&memory, model->nw);
-    instants->departed = lag_take(&memory, model->nindicator);
     lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
     instants->iteration.refraction = &instants->refraction;
     instants->iteration.modes = &instants->modes;
@@ -180,9 +178,8 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         motion->w[instants->places.initial] = 1.0;
     }
     remember(instants, x);
-    status = lag_event_iteration_start_sides(&instants->iteration, t, x, instants->departed);
     instants->iteration.sides.begins = 1;
-    status = status == LAG_OK ? run(instants, t, x, instants->departed, NULL) : status;
+    status = run(instants, t, x, NULL, NULL);
     instants->iteration.sides.begins = 0;
     return status;
 }
@@ -215,7 +212,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, c
     int jumped = 0;
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
-        status = lag_impulse_balance(&instants->impulse, t, x, NULL, &jumped);
+        status = lag_impulse_balance(&instants->impulse, t, x, NULL, NULL, &jumped);
         instants->modes.jumped = 1;
     }
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
@@ -235,7 +232,7 @@ static lag_status change_with_time(lag_instants *instants, double t, double *x, 
         status = lag_timed_change(&instants->timed, t);
     }
     instants->modes.jumped = 1;
-    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, jumped) : status;
+    return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, NULL, jumped) : status;
 }
 
 /* Reports the changes with time. */

@@ -22,7 +22,6 @@ typedef struct lag_instants {
     lag_timed timed;
     lag_refraction refraction;
     double *x_before, *w_before; /* (2 nq + nz) (nw) */
-    double *departed;            /* (nindicator) relations that turn at the start */
     lag_clock *clock; /* (nclock) */
     double *first, *period; /* (nclock) */
     lag_crowd crowd, resets; /* all events; those that change the state */

@@ -85,7 +85,7 @@ static double part_of(size_t i, unsigned k)
 }
 
 /* Indicators, distances of corners, rates and accelerations of indicators, with accelerations and multipliers of x at time t. */
-lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values)
+static lag_status evaluate_all(lag_noise *noise, double t, const double *x, double *values)
 {
     lag_motion *motion = noise->motion;
     const lag_model *model = motion->model;
@@ -107,7 +107,7 @@ lag_status lag_noise_update(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     const double *rates = noise->value + count_of(model);
-    const lag_status status = lag_noise_evaluate(noise, t, x, noise->value);
+    const lag_status status = evaluate_all(noise, t, x, noise->value);
     for (size_t i = 0; i < 2 * model->nindicator && status == LAG_OK; ++i) {
         noise->largest[i] = isfinite(rates[i]) ? fmax(noise->largest[i], fabs(rates[i])) : noise->largest[i];
     }
@@ -152,7 +152,7 @@ static lag_status change_at(lag_noise *noise, double t, const double *x, unsigne
     motion->inputs = NULL;
     change_inputs(noise, k, sign);
     motion->delays.change = 2.0 * sign * CHANGE * part_of(0, k);
-    const lag_status status = lag_noise_evaluate(noise, after, noise->point, values);
+    const lag_status status = evaluate_all(noise, after, noise->point, values);
     motion->inputs = inputs;
     motion->delays.change = 0.0;
     memcpy(motion->u, noise->u, motion->model->nu * sizeof(double));
@@ -248,9 +248,9 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
         return;
     }
     perturb(noise, x, point);
-    lag_status status = lag_noise_evaluate(noise, t, point, noise->other);
+    lag_status status = evaluate_all(noise, t, point, noise->other);
     status = status == LAG_OK ? lag_projection_rates(projection, t, point, NULL) : status;
-    status = status == LAG_OK ? lag_noise_evaluate(noise, t, point, noise->opposite) : status;
+    status = status == LAG_OK ? evaluate_all(noise, t, point, noise->opposite) : status;
     for (size_t i = 0; i < count; ++i) {
         held[i] = held[i] != 0.0 && status == LAG_OK && is_held(noise, i, noise->other, noise->opposite);
     }

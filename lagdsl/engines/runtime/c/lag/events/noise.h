@@ -34,9 +34,6 @@ void lag_noise_follow(lag_noise *noise, const double *x);
 /* Values at x at time t; rates and accelerations are no numbers where they depend on the rates of inputs, accelerations or multipliers. */
 lag_status lag_noise_update(lag_noise *noise, double t, const double *x);
 
-/* The same into `values`, and they do not count among those so far. */
-lag_status lag_noise_evaluate(lag_noise *noise, double t, const double *x, double *values);
-
 /* Values and sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
 void lag_noise_find(lag_noise *noise, double t, const double *x);
 

@@ -14,46 +14,106 @@ static const double FEW = 4.0;
 static const double LEFT = 1e-9;
 /* Differences of rows are along the gradient, or the gradient along the rows, but for this part of their sizes. */
 static const double ALONG = 1e-6;
+/* The balance of energy is solved where the impulse that is left changes the rate of g by this part. */
+static const double NEAR = 1e-9;
+/* It has its least value where half of the square of the rate of g is this part of what the energy lacks. */
+static const double FLAT = 1e-6;
+enum { MOST_STEPS = 100, MOST_HALVES = 60 };
+
+/* The side from which the motion comes. */
+typedef struct lag_side {
+    double energy; /* h there */
+    double drift;  /* rate of g with time and states, the positions held */
+    double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
+} lag_side;
 
 size_t lag_refraction_memory(const lag_model *model)
 {
-    return 4 * model->nq + 2 * lag_motion_size(model) + 3 * model->nindicator + model->nc * (model->nq + 1);
+    return 4 * model->nq + 2 * lag_motion_size(model) + 4 * model->nindicator + model->nc * (model->nq + 1) + model->ngap;
 }
 
-void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_impulse *impulse, lag_noise *noise, double *memory)
+void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *noise, double *memory)
 {
+    const lag_model *model = contacts->motion->model;
+    *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise, .places = contacts->places};
+    lag_take_all(&memory, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
+    lag_take_all(&memory, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
+    lag_take_all(&memory, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
+    r->rows = lag_take(&memory, model->nc * model->nq);
+    r->speeds = lag_take(&memory, model->nc);
+    r->gap_speeds = memory;
+}
+
+/* ---- both sides ---- */
+
+/* The energy h at x, and the size of what it is made of. */
+static lag_status evaluate_energy(const lag_refraction *r, double t, const double *x, double *h, double *size)
+{
+    lag_motion *motion = r->motion;
+    double total = 0.0;
+    double kinetic = 0.0;
+    double potential = 0.0;
+    lag_motion_set_state(motion, t, x);
+    const lag_status status = motion->model->energies(&motion->at, &total, &kinetic, &potential, h);
+    *size = fabs(kinetic) + fabs(potential) + fabs(*h);
+    return status;
+}
+
+/* Energy, momenta and rows of constraints at x, with the relations of w. */
+static lag_status evaluate_side(lag_refraction *r, double t, const double *x, double *h, double *size)
+{
+    const lag_status status = evaluate_energy(r, t, x, h, size);
+    return status == LAG_OK ? lag_impulse_evaluate(r->impulse, t, x) : status;
+}
+
+static void set_relations(lag_refraction *r, const double *truth)
+{
+    memcpy(r->motion->w + r->places.relation, truth, r->motion->model->nindicator * sizeof(double));
+}
+
+/* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were, r->other what they are. */
+static void turn_relation(lag_refraction *r, double t, const double *x, size_t which)
+{
+    lag_motion *motion = r->motion;
     const lag_model *model = motion->model;
-    *refraction = (lag_refraction){.motion = motion, .impulse = impulse, .noise = noise, .places = lag_places_of(model)};
-    lag_take_all(&memory, model->nq, (double **const[]){&refraction->gradient, &refraction->along, &refraction->before, &refraction->aim, NULL});
-    refraction->rows = lag_take(&memory, model->nc * model->nq);
-    refraction->speeds = lag_take(&memory, model->nc);
-    refraction->point = lag_take(&memory, lag_motion_size(model));
-    refraction->rate = lag_take(&memory, lag_motion_size(model));
-    refraction->g = lag_take(&memory, model->nindicator);
-    refraction->own = lag_take(&memory, model->nindicator);
-    refraction->truth = memory;
-}
-
-/* The indicator at the point, with accelerations and multipliers as they are; not a number where there is none. */
-static double indicator_at(lag_refraction *r, double t, size_t which)
-{
-    lag_motion_set_state(r->motion, t, r->point);
-    const lag_status status = r->motion->model->indicator(&r->motion->at, r->g);
-    return status == LAG_OK ? r->g[which] : (double)NAN;
-}
-
-/* 1: impulses of the constraints give any rate of g: the motion along the gradient is determined. */
-static int is_determined(const lag_refraction *r, const double *x)
-{
-    const size_t n = r->motion->model->nq;
-    double most = 0.0;
-    double moved = 0.0;
-    for (size_t i = 0; i < n; ++i) {
-        const double size = lag_noise_extent(r->noise, x, i);
-        most = fmax(most, fabs(r->gradient[i]) * size);
-        moved = fmax(moved, fabs(lag_dot(n, r->impulse->mass + i * n, r->along)) * size);
+    double *truth = motion->w + r->places.relation;
+    int turned = 1;
+    memcpy(r->truth, truth, model->nindicator * sizeof(double));
+    lag_motion_set_state(motion, t, x);
+    (void)model->indicator(&motion->at, r->own);
+    truth[which] = 1.0 - truth[which];
+    for (size_t k = 0; k < model->nindicator && turned; ++k) {
+        turned = 0;
+        (void)model->indicator(&motion->at, r->g);
+        for (size_t i = 0; i < model->nindicator; ++i) {
+            const double holds = r->g[i] > 0.0 || (r->g[i] == 0.0 && model->strict[i] == 0);
+            const int jumps = fabs(r->g[i] - r->own[i]) > ALONG * (fabs(r->g[i]) + fabs(r->own[i]));
+            if (i != which && jumps && holds != truth[i]) {
+                truth[i] = holds;
+                turned = 1;
+            }
+        }
     }
-    return moved <= ALONG * most;
+    memcpy(r->other, truth, model->nindicator * sizeof(double));
+}
+
+/* Evaluates this side, then the other one; 1 in *differ: they are not the same. Most relations are in forces only. */
+static lag_status compare_sides(lag_refraction *r, double t, const double *x, size_t which, lag_side *side, double *size, int *differ)
+{
+    const lag_model *model = r->motion->model;
+    const lag_impulse *impulse = r->impulse;
+    double after = 0.0;
+    double other = 0.0;
+    lag_status status = evaluate_side(r, t, x, &side->energy, size);
+    memcpy(r->rows, impulse->jacobian, model->nc * model->nq * sizeof(double));
+    memcpy(r->speeds, impulse->residual, model->nc * sizeof(double));
+    memcpy(r->before, impulse->now, model->nq * sizeof(double));
+    turn_relation(r, t, x, which);
+    status = status == LAG_OK ? evaluate_side(r, t, x, &after, &other) : status;
+    set_relations(r, r->truth);
+    *differ = side->energy != after || !lag_same(model->nq, r->before, impulse->now) || !lag_same(model->nc, r->speeds, impulse->residual) ||
+        !lag_same(model->nc * model->nq, r->rows, impulse->jacobian);
+    return status;
 }
 
 /* The coordinate on which g depends most. */
@@ -98,136 +158,204 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
     return off;
 }
 
-/* Momenta, energy h and its size on this side of relation `which` into r->before, and rows of constraints. */
-static lag_status keep(lag_refraction *r, double t, const double *x, double *h, double *size)
+/* ---- the impulse problem with the step ---- */
+
+/* Rates of gaps on this side: a gap with a corner at the step meets the other side by the law of impact. */
+static lag_status find_gap_speeds(lag_refraction *r, double t, const double *x)
 {
-    const lag_model *model = r->motion->model;
-    lag_status status = lag_impulse_evaluate(r->impulse, t, x);
-    memcpy(r->rows, r->impulse->jacobian, model->nc * model->nq * sizeof(double));
-    memcpy(r->speeds, r->impulse->residual, model->nc * sizeof(double));
-    status = status == LAG_OK ? lag_impulse_keep_momenta(r->impulse, t, x, r->motion->w) : status;
-    memcpy(r->before, r->impulse->before, model->nq * sizeof(double));
-    return status == LAG_OK ? lag_refraction_energy(r, t, x, h, size) : status;
+    const size_t count = r->motion->model->ncontact;
+    const int any = lag_any(count, r->motion->w + r->places.contact);
+    const lag_status status = any ? lag_contacts_evaluate_at(r->contacts, t, x) : LAG_OK;
+    memcpy(r->gap_speeds, r->contacts->speed, count * sizeof(double));
+    return status;
 }
 
-/* Rates behind the place in r->rate; *refracted stays 0 where they are not there. */
-static lag_status cross(lag_refraction *r, double t, const double *x, const lag_side *side, int *refracted)
+/* Closed contacts at x as rows of the impulse problem that push. */
+static lag_status add_contacts(lag_refraction *r, double t, const double *x)
 {
-    int jumped = 0;
-    memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
-    memcpy(r->impulse->before, r->before, r->motion->model->nq * sizeof(double));
-    lag_status status = lag_impulse_balance(r->impulse, t, r->rate, NULL, &jumped);
-    status = status == LAG_OK ? lag_impulse_respond(r->impulse, r->gradient, r->along) : status;
-    if (status == LAG_OK && is_determined(r, x)) {
-        *refracted = 1; /* the balance of momenta says it all */
+    lag_contacts *contacts = r->contacts;
+    const lag_model *model = r->motion->model;
+    lag_inequalities_clear(&contacts->blows.rows);
+    if (!lag_any(model->ncontact, r->motion->w + r->places.contact)) {
         return LAG_OK;
     }
-    return status == LAG_OK ? lag_refraction_find(r, t, r->rate, side, refracted) : status;
-}
-
-/* Rates with which the motion turns back on this side, in r->rate. */
-static lag_status turn_back(lag_refraction *r, double t, const double *x, const lag_side *side, int *back)
-{
-    const lag_side own = {.energy = side->energy, .drift = side->drift, .sense = -side->sense};
-    memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
-    memcpy(r->impulse->before, r->before, r->motion->model->nq * sizeof(double));
-    const lag_status status = lag_impulse_evaluate(r->impulse, t, r->rate);
-    return status == LAG_OK ? lag_refraction_find(r, t, r->rate, &own, back) : status;
-}
-
-/* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
-static void turn_relation(lag_refraction *r, double t, const double *x, size_t which)
-{
-    const lag_model *model = r->motion->model;
-    double *truth = r->motion->w + r->places.relation;
-    int turned = 1;
-    memcpy(r->truth, truth, model->nindicator * sizeof(double));
-    memcpy(r->point, x, lag_motion_size(model) * sizeof(double));
-    (void)indicator_at(r, t, which);
-    memcpy(r->own, r->g, model->nindicator * sizeof(double));
-    truth[which] = 1.0 - truth[which];
-    for (size_t k = 0; k < model->nindicator && turned; ++k) {
-        turned = 0;
-        (void)indicator_at(r, t, which);
-        for (size_t i = 0; i < model->nindicator; ++i) {
-            const double holds = r->g[i] > 0.0 || (r->g[i] == 0.0 && model->strict[i] == 0);
-            const int jumps = fabs(r->g[i] - r->own[i]) > ALONG * (fabs(r->g[i]) + fabs(r->own[i]));
-            if (i != which && jumps && holds != truth[i]) {
-                truth[i] = holds;
-                turned = 1;
-            }
+    const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
+    for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
+        const int bends = fabs(contacts->speed[i] - r->gap_speeds[i]) > lag_contacts_speed_band(contacts, i);
+        if (*lag_contacts_flag(contacts, i) != 0.0 && !bends) {
+            lag_contacts_add_to_blow(contacts, i, 0.0);
         }
     }
+    return status;
 }
 
-/* Momenta, rows of constraints and the energy h at x. */
-static lag_status evaluate_side(lag_refraction *r, double t, const double *x, double *momenta, double *rows, double *speeds, double *h)
+/*
+ * The balance of energy for an impulse along the gradient, at rates that the impulse problem has balanced: h behind the place, less h before it and what
+ * the place and the constraints that move add to it. Its slope is the rate of g. It is convex in the impulse, as M is positive definite.
+ */
+typedef struct lag_energy_balance {
+    double rest;
+    double speed; /* its slope: the rate of g, counted in the sense of the motion behind the place */
+    double slope; /* of the speed, by the last two impulses; at first without contacts */
+} lag_energy_balance;
+
+/*
+ * The same at x, mu being the impulse so far: -mu dg/dt - b' P is what the place and the constraints add, with b' P = -v+ J' P, as
+ * J v+ + b = 0.
+ */
+static lag_status evaluate_balance(lag_refraction *r, double t, const double *x, const lag_side *side, double mu, lag_energy_balance *balance)
 {
-    lag_motion *motion = r->motion;
-    const lag_model *model = motion->model;
+    const size_t n = r->motion->model->nq;
+    const double *qd = x + n;
+    double h = 0.0;
     double size = 0.0;
-    lag_fill(model->nq, 0.0, momenta);
-    lag_status status = lag_refraction_energy(r, t, x, h, &size);
-    if (status == LAG_OK && model->momenta != NULL) {
-        status = model->momenta(&motion->at, momenta);
-    }
-    return status == LAG_OK && model->nc > 0 ? model->velocity_constraint(&motion->at, speeds, rows) : status;
+    const lag_status status = evaluate_energy(r, t, x, &h, &size);
+    const double change = lag_dot(n, qd, r->impulse->now) - lag_dot(n, qd, r->before);
+    const double along = lag_dot(n, r->gradient, qd) + side->drift;
+    balance->rest = h - side->energy + mu * along - change;
+    balance->speed = side->sense * along;
+    return status;
 }
 
-/* 1: a relation is in the Lagrangian or in a constraint: what follows from it is not the same. Most are in forces only. */
-static int changes_balance(lag_refraction *r, double t, const double *x, size_t which)
+/* The impulse to the place where a parabola through the balance ends: its root on the side to which g moves, or its least value. */
+static double impulse_to_root(const lag_energy_balance *b)
 {
-    const lag_model *model = r->motion->model;
-    double *truth = r->motion->w + r->places.relation;
-    double before = 0.0;
-    double after = 0.0;
-    lag_status status = evaluate_side(r, t, x, r->before, r->rows, r->speeds, &before);
-    turn_relation(r, t, x, which);
-    status = status == LAG_OK ? evaluate_side(r, t, x, r->along, r->impulse->jacobian, r->impulse->residual, &after) : status;
-    memcpy(truth, r->truth, model->nindicator * sizeof(double));
-    return status != LAG_OK || before != after || !lag_same(model->nq, r->before, r->along) ||
-           !lag_same(model->nc, r->speeds, r->impulse->residual) || !lag_same(model->nc * model->nq, r->rows, r->impulse->jacobian);
+    const double under = b->speed * b->speed - 2.0 * b->rest * b->slope;
+    if (under <= 0.0) {
+        return -b->speed / b->slope;
+    }
+    return b->speed > 0.0 ? -2.0 * b->rest / (b->speed + sqrt(under)) : (sqrt(under) - b->speed) / b->slope;
 }
 
-lag_status lag_refraction_cross(
-    lag_refraction *r, double t, double *x, size_t which, double lookahead, int *refracted, int *back)
+/* Rates with an impulse `by` more along the gradient, or a part of it where there are no rates for all of it; *by: as much as that. */
+static lag_status add_impulse(lag_refraction *r, double t, double *x, double sense, double *by)
+{
+    const size_t n = r->motion->model->nq;
+    const size_t size = lag_motion_size(r->motion->model);
+    lag_inequalities *rows = r->contacts->blows.rows.size > 0 ? &r->contacts->blows.rows : NULL;
+    lag_status status = LAG_MOMENTUM_UNREACHABLE;
+    int jumped = 0;
+    memcpy(r->point, x, size * sizeof(double));
+    memcpy(r->aim, r->impulse->before, n * sizeof(double));
+    for (int k = 0; k < MOST_HALVES && status == LAG_MOMENTUM_UNREACHABLE; ++k) {
+        *by *= k > 0 ? 0.5 : 1.0;
+        memcpy(x, r->point, size * sizeof(double));
+        memcpy(r->impulse->before, r->aim, n * sizeof(double));
+        lag_axpy(n, sense * *by, r->gradient, r->impulse->before);
+        status = lag_impulse_balance(r->impulse, t, x, NULL, rows, &jumped);
+    }
+    return status;
+}
+
+/* 1: impulses of the constraints give any rate of g: the motion along the gradient is determined. */
+static int is_determined(const lag_refraction *r, const double *x)
+{
+    const size_t n = r->motion->model->nq;
+    double most = 0.0;
+    double moved = 0.0;
+    for (size_t i = 0; i < n; ++i) {
+        const double size = lag_noise_extent(r->noise, x, i);
+        most = fmax(most, fabs(r->gradient[i]) * size);
+        moved = fmax(moved, fabs(lag_dot(n, r->impulse->mass + i * n, r->along)) * size);
+    }
+    return moved <= ALONG * most;
+}
+
+/*
+ * Rates in r->rate that the balance of energy asks for; *found: 0, there are none on the side to which g moves. Newton's method, with the curvature, between
+ * impulses that are known to be too small and too large. Where T is quadratic and no contact changes the first step is the last one.
+ */
+static lag_status find_rates(lag_refraction *r, double t, const double *x, const lag_side *side, int *found)
+{
+    const size_t n = r->motion->model->nq;
+    double low = -(double)INFINITY;
+    double high = (double)INFINITY;
+    double u = 0.0; /* the impulse, counted in the sense of the motion */
+    double by = 0.0;
+    int suffices = 0; /* the energy does, at an impulse that was looked at */
+    lag_energy_balance b = {0};
+    *found = 0;
+    memcpy(r->rate, x, lag_motion_size(r->motion->model) * sizeof(double));
+    memcpy(r->impulse->before, r->before, n * sizeof(double));
+    memcpy(r->impulse->rates, x + n, n * sizeof(double));
+    lag_status status = add_contacts(r, t, x);
+    status = status == LAG_OK ? add_impulse(r, t, r->rate, side->sense, &by) : status;
+    if (status != LAG_OK) {
+        return status;
+    }
+    status = lag_impulse_respond(r->impulse, r->gradient, r->along);
+    b.slope = lag_dot(n, r->gradient, r->along);
+    if (status == LAG_OK && is_determined(r, x)) {
+        *found = 1; /* the balance of momenta says it all */
+        lag_contacts_keep_blow(r->contacts);
+        return LAG_OK;
+    }
+    status = status == LAG_OK && !(b.slope > 0.0) ? LAG_SINGULAR : status;
+    for (int k = 0; k < MOST_STEPS && status == LAG_OK; ++k) {
+        const double speed = b.speed;
+        status = evaluate_balance(r, t, r->rate, side, side->sense * u, &b);
+        b.slope = k > 0 ? fmax((b.speed - speed) / by, 0.0) : b.slope; /* a contact that drives leaves no slope */
+        if (status != LAG_OK || (!suffices && b.rest > 0.0 && b.speed * b.speed <= FLAT * b.rest * b.slope)) {
+            return status;
+        }
+        suffices = suffices || (b.speed > 0.0 && b.rest <= 0.0);
+        const int beyond = b.speed > 0.0 && b.rest >= 0.0;
+        low = beyond ? low : u;
+        high = beyond ? u : high;
+        by = impulse_to_root(&b);
+        const int last = by == 0.0 || (b.speed > 0.0 && fabs(by) * b.slope <= NEAR * b.speed);
+        if (!last && !(u + by > low && u + by < high)) {
+            by = 0.5 * (low + high) - u;
+        }
+        status = add_impulse(r, t, r->rate, side->sense, &by);
+        if (last) {
+            *found = status == LAG_OK;
+            lag_contacts_keep_blow(r->contacts);
+            break;
+        }
+        u += by;
+    }
+    return (status == LAG_OK && !*found) || status == LAG_SINGULAR ? LAG_MOMENTUM_UNREACHABLE : status;
+}
+
+lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t which, double lookahead, int *refracted, int *back)
 {
     lag_motion *motion = r->motion;
     const size_t n = motion->model->nq;
     double *truth = motion->w + r->places.relation;
-    lag_side side = {0};
+    lag_side side = {.sense = truth[which] == 0.0 ? 1.0 : -1.0};
     double after = 0.0;
     double size = 0.0;
     double other = 0.0;
+    int differ = 0;
     *refracted = *back = 0;
-    if (motion->model->energies == NULL || !changes_balance(r, t, x, which)) { /* without it nothing is known of an energy that jumps */
-        return LAG_OK;
+    lag_status status = motion->model->energies != NULL ? compare_sides(r, t, x, which, &side, &size, &differ) : LAG_OK;
+    if (status != LAG_OK || !differ) { /* without energies nothing is known of one that jumps */
+        return status;
     }
     lag_noise_find(r->noise, t, x);
     const double g = r->noise->value[which];
-    lag_status status = motion->ode.rates(motion, t, x, r->rate);
-    if (status != LAG_OK || !isfinite(g) || !lag_noise_differentiate(r->noise, t, x, which, r->rate, r->length, r->gradient, &side.drift)) {
+    const lag_status moves = motion->ode.rates(motion, t, x, r->rate);
+    if (moves != LAG_OK || !isfinite(g) || !lag_noise_differentiate(r->noise, t, x, which, r->rate, r->contacts->length, r->gradient, &side.drift)) {
         return LAG_OK; /* where there are no accelerations, passes tell */
     }
     const double speed = lag_dot(n, r->gradient, x + n) + side.drift;
-    side.sense = truth[which] == 0.0 ? 1.0 : -1.0;
     const double pull = side.sense * lag_dot(n, r->gradient, r->rate + n);
     const double noise = FEW * r->noise->sigma[which];
     const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, noise);
-    status = keep(r, t, x, &side.energy, &size);
-    turn_relation(r, t, x, which);
-    status = status == LAG_OK ? lag_refraction_energy(r, t, x, &after, &other) : status;
-    status = status == LAG_OK ? lag_impulse_evaluate(r->impulse, t, x) : status;
+    status = find_gap_speeds(r, t, x);
+    memcpy(r->impulse->before, r->before, n * sizeof(double));
+    set_relations(r, r->other);
+    status = status == LAG_OK ? evaluate_side(r, t, x, &after, &other) : status;
     const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
-    if (status != LAG_OK || !jumps || !is_there) {
-        memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
-        return status;
-    }
-    status = cross(r, t, x, &side, refracted);
+    status = status == LAG_OK && jumps && is_there ? find_rates(r, t, x, &side, refracted) : status;
     truth[which] = r->truth[which];
-    if (status == LAG_OK && !*refracted) {
-        memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
-        status = turn_back(r, t, x, &side, back);
+    if (!*refracted) {
+        set_relations(r, r->truth);
+    }
+    if (status == LAG_OK && jumps && is_there && !*refracted) {
+        side.sense = -side.sense;
+        status = find_rates(r, t, x, &side, back);
         *refracted = *back;
         if (status == LAG_OK && speed * speed <= 2.0 * pull * noise) {
             return LAG_CHATTER; /* it rests against the step: flights are lost in round-off */

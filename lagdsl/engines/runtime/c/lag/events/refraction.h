@@ -9,7 +9,8 @@
  * mu, with the slope dh/dmu + dg/dt + b' dP/dmu = dg/dt along the motion, as dh = v dp; a parabola where T is quadratic.
  *
  * The rows of a constraint that is continuous differ by a multiple of grad g on both sides, so J' P may be that of either side. Where grad g
- * is a combination of the rows, as where a rope becomes taut, impulses of the constraints determine the rates, and the blow is plastic.
+ * is a combination of the rows, as where a rope becomes taut, impulses of the constraints determine the rates, and the blow is plastic. Closed contacts
+ * that the blow drives in push, as on the flank of that steep step: they are rows of the impulse problem beside the step.
  *
  * Source: L. D. Landau, E. M. Lifshitz, Mechanics (3rd ed., 1976), section 7, problem (refraction at a step of the potential energy);
  * L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV (impulses).
@@ -17,36 +18,30 @@
 #ifndef LAG_REFRACTION_H
 #define LAG_REFRACTION_H
 
-#include "lag/impulses/impulse.h"
+#include "lag/contacts/contact.h"
 #include "lag/events/noise.h"
 
 typedef struct lag_refraction {
     lag_motion *motion;
-    lag_impulse *impulse;   /* its arrays are used */
+    lag_contacts *contacts; /* their impulse problem, and the rows of their blows, are used */
+    lag_impulse *impulse;
     lag_noise *noise;
     lag_places places;
-    double length;          /* of the experiment [s] */
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
     double *before;         /* (nq) momenta on this side */
     double *aim;            /* (nq) momenta for the impulse so far */
     double *rows, *speeds;  /* (nc, nq) (nc) of the constraints on this side: J, J qd + b */
+    double *gap_speeds;     /* (ngap) on this side */
     double *point, *rate;   /* (2 nq + nz) */
     double *g, *own;        /* (nindicator) (nindicator) */
-    double *truth;          /* (nindicator) relations on this side */
+    double *truth, *other;  /* (nindicator) relations on this side, and on the other one */
 } lag_refraction;
-
-/* The side from which the motion comes. */
-typedef struct lag_side {
-    double energy; /* h there */
-    double drift;  /* rate of g with time and states, the positions held */
-    double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
-} lag_side;
 
 /* Doubles for it. */
 size_t lag_refraction_memory(const lag_model *model);
 
-void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_impulse *impulse, lag_noise *noise, double *memory);
+void lag_refraction_place(lag_refraction *refraction, lag_contacts *contacts, lag_noise *noise, double *memory);
 
 /*
  * Relation `which` is about to change at x, at time t but for `lookahead` [s], infinite where it was located; its entry of w is that of before. If the
@@ -57,15 +52,5 @@ void lag_refraction_place(lag_refraction *refraction, lag_motion *motion, lag_im
  */
 lag_status lag_refraction_cross(
     lag_refraction *refraction, double t, double *x, size_t which, double lookahead, int *refracted, int *back);
-
-/* The energy h at x, and the size of what it is made of. */
-lag_status lag_refraction_energy(const lag_refraction *refraction, double t, const double *x, double *h, double *size);
-
-/*
- * Rates that the balance of energy asks for, from those that the impulse problem has balanced; *found: 0, there are none on the side to which g moves.
- * The balance is convex in the impulse, as its slope is the rate of g and M is positive definite: Newton's method, with the curvature, between
- * impulses that are known to be too small and too large. Where T is quadratic the first step is the last one.
- */
-lag_status lag_refraction_find(lag_refraction *refraction, double t, double *x, const lag_side *side, int *found);
 
 #endif

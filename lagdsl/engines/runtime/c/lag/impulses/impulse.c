@@ -22,7 +22,7 @@ static const double NOTHING = 1e-60;
 size_t lag_impulse_memory(const lag_model *model)
 {
     const size_t n = model->nq;
-    return 8 * n + model->nc + model->nw + model->ncontact + lag_motion_size(model) + lag_impulse_step_memory(model);
+    return 8 * n + model->nc + model->nw + lag_motion_size(model) + lag_impulse_step_memory(model);
 }
 
 void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
@@ -36,11 +36,9 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
     impulse->jacobian = motion->written.rows[1];
     impulse->residual = lag_take(&memory, model->nc);
     impulse->w = lag_take(&memory, model->nw);
-    impulse->holding = lag_take(&memory, model->ncontact);
     impulse->point = lag_take(&memory, lag_motion_size(model));
     impulse->rates = lag_take(&memory, n);
     impulse->work = memory;
-    lag_fill(model->ncontact, 0.0, impulse->holding);
 }
 
 /* ---- momenta and rows ---- */
@@ -71,7 +69,7 @@ lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x)
     lag_motion *motion = impulse->motion;
     const lag_model *model = motion->model;
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
-    memcpy(impulse->w + impulse->places.contact, impulse->holding, model->ncontact * sizeof(double));
+    lag_fill(model->ncontact, 0.0, impulse->w + impulse->places.contact);
     lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->places.sticks);
     lag_motion_set_state(motion, t, x);
     lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
@@ -282,7 +280,7 @@ lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const 
     return judge(impulse, qd);
 }
 
-lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, int *jumped)
+lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows, int *jumped)
 {
     const double *qd = x + impulse->motion->model->nq;
     const lag_status status = begin(impulse, t, x);
@@ -293,6 +291,6 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
     lag_impulse_choose(impulse, NULL);
     memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
     find_sizes(impulse, qd);
-    *jumped = is_off(impulse, qd, LAG_EXACT, LAG_SOLVED);
-    return *jumped ? lag_impulse_iterate(impulse, t, x, held, NULL) : LAG_OK;
+    *jumped = is_off(impulse, qd, LAG_EXACT, LAG_SOLVED) || rows != NULL;
+    return *jumped ? lag_impulse_iterate(impulse, t, x, held, rows) : LAG_OK;
 }

@@ -30,8 +30,7 @@ typedef struct lag_impulse {
     double *mass;      /* (nq, nq) M, */
     double *jacobian;  /* (nc, nq) and the rows of the constraints with */
     double *residual;  /* (nc) what they lack: J qd + b */
-    double *w;         /* (nw) the discretes with contacts as in `holding`, without friction */
-    double *holding;   /* (ncontact) flags of closed contacts that hold like constraints; zero but across a step of energy */
+    double *w;         /* (nw) the discretes without contacts and friction */
     double *chosen;    /* (nq) coordinates that take part, ascending, */
     size_t count;      /* so many */
     double *change;    /* (nq) of the rates in the last step of Newton's method, */
@@ -52,7 +51,7 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
 /* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
 lag_status lag_impulse_keep_momenta(lag_impulse *impulse, double t, const double *x, const double *w);
 
-/* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open that are not `holding`. */
+/* Momenta, M and the rows of the constraints at x, with the discretes that hold now but all contacts open. */
 lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x);
 
 /* 1: momenta that were kept and those evaluated, at rates qd, differ by more than this part of what enters them. */
@@ -60,11 +59,11 @@ int lag_impulse_differs(lag_impulse *impulse, const double *qd, double part);
 
 /*
  * With the discretes that hold now: rates at which the momenta are those that were kept, but for impulses of the constraints. Closed
- * contacts do not take part. Rates that are `held` (nq flags, or null; at most one for each reset of the model) stay if
+ * contacts do not take part, but as `rows` (or null), whose speeds are those at impulse->rates. Rates that are `held` (nq flags, or null; at most one for each reset of the model) stay if
  * the others can do it. *jumped: rates changed by more than round-off. LAG_MOMENTUM_UNREACHABLE: no rates have these momenta, and
  * motion->coordinate has the one that is farthest from its own; x is changed. LAG_SINGULAR: some rates are not determined.
  */
-lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, int *jumped);
+lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows, int *jumped);
 
 /*
  * The rates in x at time t, which satisfy the lasting constraints, after a blow, whose impulses are rows->force. Closed contacts and friction

@@ -27,13 +27,18 @@ lag_status lag_scan_detect(lag_run *run, double t)
 typedef struct change {
     lag_run *run;
     size_t which;
+    int corrected; /* with the state on the constraints, which is the state that the event will see */
 } change;
 
 static double value_of(void *context, double t)
 {
     const change *one = context;
-    const lag_status status = lag_scan_detect(one->run, t);
-    return status == LAG_OK || status == LAG_EVENT_PENDING ? one->run->guards.value[one->which] : (double)NAN;
+    lag_run *run = one->run;
+    int moved = 0;
+    lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
+    status = status == LAG_OK && one->corrected ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
+    status = status == LAG_OK ? lag_guards_detect(&run->guards, t, run->point) : status;
+    return status == LAG_OK || status == LAG_EVENT_PENDING ? run->guards.value[one->which] : (double)NAN;
 }
 
 /*
@@ -119,7 +124,7 @@ double lag_scan_earliest(lag_run *run, double a, double b)
         }
         const size_t which = find_nearest(guards, before);
         if (which < count) {
-            change one = {run, which};
+            change one = {run, which, 0};
             root[which] = root_of(&one, a, before[which], last, guards->value[which], lag_scan_tolerance(run));
             first = fmin(first, root[which]);
             sought[which] = 0.0;
@@ -132,17 +137,6 @@ double lag_scan_earliest(lag_run *run, double a, double b)
     return first;
 }
 
-/* The same value with the state on the constraints, which is the state that the event will see. */
-static double value_on_constraints(change *one, double t)
-{
-    lag_run *run = one->run;
-    int moved = 0;
-    lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
-    status = status == LAG_OK ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
-    status = status == LAG_OK ? lag_guards_detect(&run->guards, t, run->point) : status;
-    return status == LAG_OK || status == LAG_EVENT_PENDING ? run->guards.value[one->which] : (double)NAN;
-}
-
 /* The located value that constraints move away from its zero at t; the number of all where none is. */
 static size_t find_moved(lag_run *run, const double *located, size_t count, double t)
 {
@@ -153,10 +147,11 @@ static size_t find_moved(lag_run *run, const double *located, size_t count, doub
         return count;
     }
     for (size_t i = 0; i < count && which == count; ++i) {
-        change one = {run, i};
+        change one = {run, i, 0};
         if (located[i] != 0.0) {
             const double off = fabs(value_of(&one, t));
-            which = fabs(value_on_constraints(&one, t)) > 2.0 * off ? i : count;
+            one.corrected = 1;
+            which = fabs(value_of(&one, t)) > 2.0 * off ? i : count;
         }
     }
     return which;
@@ -167,16 +162,16 @@ double lag_scan_on_constraints(lag_run *run, const double *located, double t)
     const lag_model *model = run->motion.model;
     const lag_stepper *s = &run->stepper;
     const size_t count = lag_guard_count(model);
-    change one = {run, model->nc > 0 ? find_moved(run, located, count, t) : count};
+    change one = {run, model->nc > 0 ? find_moved(run, located, count, t) : count, 1};
     double before = t - SECANT * (t - s->t_before);
     if (one.which == count || !(before < t)) {
         return t;
     }
-    double value_before = value_on_constraints(&one, before);
-    double value = value_on_constraints(&one, t);
+    double value_before = value_of(&one, before);
+    double value = value_of(&one, t);
     for (int k = 0; k < CORRECTIONS; ++k) {
         const double next = fmin(t - value * (t - before) / (value - value_before), s->t);
-        const double there = next > s->t_before && next != t ? value_on_constraints(&one, next) : (double)NAN;
+        const double there = next > s->t_before && next != t ? value_of(&one, next) : (double)NAN;
         if (!(fabs(there) < fabs(value))) {
             break;
         }
