@@ -28,12 +28,12 @@ def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Tr
             found[k] = read_mesh(file, most)
         except MeshError as fault:
             if sink is not None:
-                sink.report("W0351", shapes[k].spans[0], file=dict(shapes[k].texts)["file"], reason=str(fault))
+                sink.report("W0351", shapes[k].spans[0], file=shapes[k].texts["file"], reason=str(fault))
     return found
 
 
 def _file_of(shape: Shape) -> Path | None:
-    name = dict(shape.texts).get("file")
+    name = shape.texts.get("file")
     try:
         return None if shape.kind != "mesh" or name is None else place_of(name, shape.spans[0].file.folder)
     except MeshError:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.derivation.scene.forms import coil
-from lagdsl.derivation.scene.shapes import Part, Size
+from lagdsl.derivation.scene.shapes import Part, Size, Value
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -27,10 +27,8 @@ class Posed:
 
     def is_seen(self) -> bool:
         """Has it a place, and its axis a length?"""
-        values = self.stage.rows[self.row]
-        columns = [size.column for size in self.part.sizes if size.column is not None]
-        vectors = [values[first : first + 3] for _, first in self.part.numbers]
-        if not np.isfinite([*values[columns], *np.ravel(vectors)]).all():
+        values = [np.ravel(self.value(each)) for each in self.part.read() if not isinstance(each, tuple)]
+        if not np.isfinite(np.concatenate([np.zeros(0), *values])).all():
             return False
         return not self.has("at") or self._shown() > (_SHORTEST * self.stage.length if self.part.scale else 0.0)
 
@@ -45,17 +43,19 @@ class Posed:
         return self.vector("z") if self.has("z") else np.array([0.0, 0.0, 1.0])
 
     def has(self, role: str) -> bool:
-        return any(name == role for name, _ in self.part.numbers)
+        return role in self.part.numbers
+
+    def value(self, value: Value) -> Floats:
+        return self.stage.scene.values(self.stage.rows[self.row], value)
 
     def vector(self, role: str) -> Floats:
-        first = dict(self.part.numbers)[role]
-        own = np.array(self.stage.rows[self.row, first : first + 3])
+        own = self.value(self.part.numbers[role])
         if self.part.board is None:
             return own
         return np.asarray(self.stage.boards[self.part.board][:3] @ [*own, float(role in ("at", "to"))])
 
     def size(self, size: Size) -> float:
-        value = 1.0 if size.column is None else float(self.stage.rows[self.row, size.column])
+        value = 1.0 if size.value is None else float(self.value(size.value))
         return size.factor * value * (self.stage.length if size.relative else 1.0)
 
     def matrix(self) -> Floats:
@@ -78,10 +78,7 @@ class Posed:
 
     def line(self) -> Floats:
         """Points (n, 3)."""
-        if self.part.form == "coil":
-            return placed(coil(), self.matrix())
-        first = dict(self.part.numbers)["points"]
-        return np.asarray(self.stage.rows[self.row, first : first + 3 * self.part.count].reshape(-1, 3))
+        return placed(coil(), self.matrix()) if self.part.form == "coil" else self.value(self.part.points)
 
 
 def axes_along(way: Floats, about: Floats | None) -> tuple[Floats, Floats, Floats]:

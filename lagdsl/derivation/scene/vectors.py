@@ -15,7 +15,7 @@ from lagdsl.derivation.scene.drawings import mass_centre, sum_of
 from lagdsl.derivation.scene.living import Living, with_scene
 from lagdsl.derivation.scene.looks import dressed
 from lagdsl.derivation.scene.rubbing import Rubbing
-from lagdsl.derivation.scene.shapes import Columns, Scene, Shape, ShapeKind
+from lagdsl.derivation.scene.shapes import Shape, ShapeKind, scene_with
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -55,11 +55,10 @@ class _Place:
 
 def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     """The model with its arrows as its only outputs, and with the parameters that `living` gives it."""
-    columns = Columns()
     places = _places(flat)
-    shapes = [*_motions(places, columns), *_admissible(flat, places, columns)]
-    shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns), *_frictions(flat, columns)]
-    scene = Scene(shapes=dressed(shapes, planar=False), columns=tuple(columns.expressions), planar=False)
+    shapes = [*_motions(places), *_admissible(flat, places), *_reactions(flat)]
+    shapes += [*_constraint_forces(flat, places), *_frictions(flat)]
+    scene = scene_with(dressed(shapes, planar=False), planar=False)
     return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
 
 
@@ -81,25 +80,25 @@ def _name_of(position: fx.FlatExpression, number: int) -> str:
     return position.name if isinstance(position, fx.PointReference) else f"mass {number}"
 
 
-def _motions(places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+def _motions(places: tuple[_Place, ...]) -> Iterator[Shape]:
     """Velocities, then accelerations."""
     for place in places:
-        yield _arrow("velocity", place, fx.Derivative(place.position), columns)
+        yield _arrow("velocity", place, fx.Derivative(place.position))
     for place in places:
-        yield _arrow("acceleration", place, fx.Derivative(fx.Derivative(place.position)), columns)
+        yield _arrow("acceleration", place, fx.Derivative(fx.Derivative(place.position)))
 
 
-def _admissible(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+def _admissible(flat: fm.FlatModel, places: tuple[_Place, ...]) -> Iterator[Shape]:
     """dr/dq_j of each mass: with others held, a coordinate moves it along this arrow (d'Alembert's virtual motions)."""
     units = {item.name: item.unit for item in flat.coordinates}
     moving = [(place, name) for place in places for name in place.moved]
     for place, name in moving[:_MOST_MOTIONS]:
-        shape = _arrow("admissible", place, fx.AdmissibleMotion(place.position, name), columns)
+        shape = _arrow("admissible", place, fx.AdmissibleMotion(place.position, name))
         unit = "m" if units[name] in ("rad", "1") else f"m/({units[name]})" if units[name] != "m" else "1"
-        yield replace(shape, texts=(("coordinate", name), ("unit", unit)))
+        yield replace(shape, texts={"coordinate": name, "unit": unit})
 
 
-def _reactions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def _reactions(flat: fm.FlatModel) -> Iterator[Shape]:
     """Of joints that close no loop, and of frames with a body and points with a mass that belong to no joint: what
     keeps them on their way."""
     frames = {item.name: item for item in flat.named if isinstance(item, fm.Frame)}
@@ -116,11 +115,11 @@ def _reactions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
             continue
         place = _Place(f"reaction({name})", fx.FrameOrigin(frame), (), spans)
         for kind, what in _OF_JOINTS:
-            yield _arrow(kind, place, fx.FrameReaction(frame, what), columns, f"{place.name}.{what}")
+            yield _arrow(kind, place, fx.FrameReaction(frame, what), f"{place.name}.{what}")
     points = {item.position.name: item.spans for item in flat.masses if isinstance(item.position, fx.PointReference)}
     for name, spans in list(points.items())[:MOST_POINTS]:
         force = fx.Vector(*(fx.ReactionAlong(name, axis) for axis in _AXES))
-        yield _arrow("reaction", _Place(f"reaction({name})", fx.PointReference(name), (), spans), force, columns)
+        yield _arrow("reaction", _Place(f"reaction({name})", fx.PointReference(name), (), spans), force)
 
 
 def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
@@ -134,7 +133,7 @@ def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
     return None
 
 
-def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...]) -> Iterator[Shape]:
     """lambda dphi/dr of each position constraint on the masses whose position is coordinates alone."""
     points = {item.name: item.position for item in flat.named if isinstance(item, fm.Point)}
     dependence = Dependence(flat)
@@ -152,11 +151,11 @@ def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...], columns: 
                 if not set(dependence.of(residual)) & set(place.moved):
                     continue
                 force = fx.Vector(*(_slope(residual, name, row) for name in names))
-                shape = _arrow("constraint", place, force, columns, f"{row} on {place.name}")
+                shape = _arrow("constraint", place, force, f"{row} on {place.name}")
                 yield replace(shape, spans=constraint.spans)
 
 
-def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def _frictions(flat: fm.FlatModel) -> Iterator[Shape]:
     """Of each friction its mode (0: its contact is open, 1: it slides, 2: it sticks) and its force: as arrows where its
     slip is that of a point, else as a size alone."""
     rubbing = Rubbing(flat)
@@ -166,14 +165,14 @@ def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
         mode: fx.FlatExpression = fx.Conditional(sticks, fx.Number(2.0), fx.ONE)
         if friction.contact is not None:
             mode = fx.Conditional(fx.Variable(f"closed({friction.contact})"), mode, fx.ZERO)
-        told = (("mode", columns.scalar(mode)), ("value", columns.scalars(forces)))
-        texts = (("unit", force_unit(friction)), ("components", str(len(forces))))
+        value = forces[0] if len(forces) == 1 else fx.Vector(forces[0], forces[1], fx.ZERO)
+        told = {"mode": mode, "value": value}
+        texts = {"unit": force_unit(friction), "components": str(len(forces))}
         places = rubbing.places(friction)
         shape = Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)
         for place in places:
             parts = [fx.Binary("*", f, e) for f, e in zip(forces, place.directions, strict=True)]
-            numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(sum_of(parts))), *told)
-            yield replace(shape, numbers=numbers)
+            yield replace(shape, numbers={"at": place.at, "vector": sum_of(parts), **told})
         if not places:
             yield shape
 
@@ -196,6 +195,6 @@ def _cartesian(position: fx.FlatExpression, moved: tuple[str, ...]) -> tuple[str
     return tuple(names) if any(names) else None
 
 
-def _arrow(kind: ShapeKind, place: _Place, vector: fx.FlatExpression, columns: Columns, name: str = "") -> Shape:
-    numbers = (("at", columns.vector(place.position)), ("vector", columns.vector(vector)))
+def _arrow(kind: ShapeKind, place: _Place, vector: fx.FlatExpression, name: str = "") -> Shape:
+    numbers = {"at": place.position, "vector": vector}
     return Shape(kind=kind, name=name or place.name, numbers=numbers, spans=place.spans)

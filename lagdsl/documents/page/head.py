@@ -176,33 +176,37 @@ def occurrences(motion: Trajectory) -> list[Json]:
 def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] = _NONE) -> list[Json]:
     """`meshes` has the numbers of meshes by those of shapes."""
     own = ({"mesh": meshes[k]} if k in meshes else {} for k in range(len(scene.shapes)))
-    return [{**_shape(shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
+    return [{**_shape(scene, shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
 
 
 # Of these a page tells the values; places stand in the parts.
 _VALUES = frozenset({"vector", "value", "mode"})
+_USUAL = Part(numbers={})
 
 
-def _shape(shape: Shape, source: SourceFile | None) -> dict[str, Json]:
+def _shape(scene: Scene, shape: Shape, source: SourceFile | None) -> dict[str, Json]:
     return {
         "kind": shape.kind,
         "name": shape.name,
-        "numbers": {role: column for role, column in shape.numbers if role in _VALUES},
-        "parts": [_part(part) for part in shape.parts],
-        "texts": dict(shape.texts),
+        "numbers": {role: scene.first(value) for role, value in shape.numbers.items() if role in _VALUES},
+        "parts": [_part(scene, part) for part in shape.parts],
+        "texts": shape.texts,
         "span": _span(shape.spans, source),
     }
 
 
-def _part(part: Part) -> Json:
+def _part(scene: Scene, part: Part) -> Json:
     """Without what it shares with most others."""
-    told: dict[str, Json] = {"primitive": part.primitive, "numbers": dict(part.numbers), "color": part.color}
+    numbers = {role: scene.first(value) for role, value in part.numbers.items()}
+    told: dict[str, Json] = {"primitive": part.primitive, "numbers": numbers, "color": part.color}
     if part.primitive in ("surface", "line"):
-        sizes = [[size.factor, -1 if size.column is None else size.column, size.relative] for size in part.sizes]
+        columns = (-1 if size.value is None else scene.first(size.value) for size in part.sizes)
+        sizes = [[size.factor, column, size.relative] for size, column in zip(part.sizes, columns, strict=True)]
         told |= {"form": part.form, "sizes": sizes}
-    usual = Part(numbers=())
-    names = ("shade", "opacity", "scale", "still", "offset", "count", "board")
-    return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(usual, name)}}
+    if part.points:
+        told |= {"numbers": {"points": scene.first(part.points)}, "count": len(part.points)}
+    names = ("shade", "opacity", "scale", "still", "offset", "board")
+    return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(_USUAL, name)}}
 
 
 def _span(spans: Spans, source: SourceFile | None) -> Json:

@@ -153,5 +153,5 @@ def _places(made: Recording) -> Floats:
     """The places (n, 3) of the scene at the first row, but for frames."""
     numbers = np.array([column.values[0] for column in made.motion.columns[-len(made.scene.columns) :]])
     shapes = (shape for shape in made.scene.shapes if shape.kind != "frame")
-    firsts = [first for shape in shapes for role, first in shape.numbers if role in ("at", "to")]
-    return np.array([numbers[first : first + 3] for first in firsts]).reshape(-1, 3)
+    places = [value for shape in shapes for role, value in shape.numbers.items() if role in ("at", "to")]
+    return np.array([made.scene.values(numbers, place) for place in places]).reshape(-1, 3)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
-from lagdsl.language.settings.arrays import family
+from lagdsl.language.settings.arrays import family, names_in
 
 # Besides the columns: the energy of the rows.
 ENERGY = "energy"
@@ -19,18 +19,6 @@ class UnknownColumn(KeyError):  # noqa: N818  it is the name that is wrong
 
     def __str__(self) -> str:
         return str(self.args[0])
-
-
-def names_in(text: str) -> list[str]:
-    """The names between commas that stand in no brackets: `m[1,2], der(x)` are two."""
-    found, depth = [""], 0
-    for character in text:
-        depth += (character in "([{") - (character in ")]}")
-        if character == "," and depth == 0:
-            found.append("")
-        else:
-            found[-1] += character
-    return [name.strip() for name in found if name.strip()]
 
 
 def columns_in(text: str, known: Collection[str]) -> list[str]:

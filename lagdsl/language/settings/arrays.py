@@ -9,7 +9,13 @@ from lagdsl.language.settings.failure import SettingError, short
 from lagdsl.language.settings.pieces import pieces_of
 
 _SUBSCRIPT = re.compile(r"\[[^\[\]]*\]")
+_COMMA = re.compile(r",(?![^\[(]*[\])])")
 _BRACES = re.compile(r"\s*\{(.*)\}\s*([^{}]*?)\s*", re.DOTALL)
+
+
+def names_in(text: str) -> list[str]:
+    """`c, I[1,2], theta.start` as names."""
+    return [piece.strip() for piece in _COMMA.split(text) if piece.strip()]
 
 
 def family(name: str, known: Iterable[str]) -> list[str]:

@@ -9,8 +9,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.shapes import ShapeKind
 from lagdsl.derivation.scene.stage import Stage, places_of
-from lagdsl.documents.plot.picture.faces import Faces
-from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
+from lagdsl.documents.plot.picture.shapes import GAUGES, Faces, parts_of
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -80,7 +79,7 @@ def _solid(stage: Stage, steps: Floats | None) -> Floats:
         own = [part.corners.reshape(-1, 3) if isinstance(part, Faces) else part.at[None, :] for part in parts]
         found += own if steps is None else [points - steps[row] for points in own]
     shapes = (shape for shape in stage.scene.shapes if shape.kind != "frame")
-    placed = any(role in ("at", "to") for shape in shapes for role, _ in shape.numbers)
+    placed = any(role in ("at", "to") for shape in shapes for role in shape.numbers)
     return np.concatenate([*found, stage.points] if placed and steps is None else found)
 
 
