@@ -139,12 +139,9 @@ def _laid_out(edges: list[_Edge]) -> list[_Stroke]:
     found: list[_Stroke] = []
     x = 0.0
     while edges:
-        nodes = set(edges[0].ends)
-        while more := {node for each in edges if nodes & set(each.ends) for node in each.ends} - nodes:
-            nodes |= more
-        part = [each for each in edges if nodes & set(each.ends)]
-        edges = [each for each in edges if not nodes & set(each.ends)]
-        x = _lay(part, x, found)
+        nodes = {edges[0].ends[0], *_along(edges, edges[0].ends[0])}
+        x = _lay([each for each in edges if each.ends[0] in nodes], x, found)
+        edges = [each for each in edges if each.ends[0] not in nodes]
     return found
 
 

@@ -1,18 +1,25 @@
-"""Shapes of `draw` statements."""
+"""Shapes of `draw` statements, and the triangles of files beside their texts."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
+from pathlib import Path
 from typing import cast
 
 from lagdsl.derivation.scene.shapes import Numbers, Shape, ShapeKind
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.meshes.files import place_of, read_mesh
+from lagdsl.foundation.meshes.triangles import MeshError, Triangles
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.semantics.items.shapes import KINDS
 
 _SYMBOLS = frozenset({"rod", "cylinder", "box", "sphere", "circle"})
 _SIZES = frozenset(role for role, kind in KINDS.items() if kind in ("length", "three lengths"))
+
+# Triangles of a file, and of all.
+_MOST, _MOST_TOGETHER = 6_000, 60_000
 
 
 def is_symbol(drawing: fm.Drawing) -> bool:
@@ -68,3 +75,29 @@ def mass_centre(body: fm.RigidBody) -> fx.FlatExpression:
 def on_frame(frame: str) -> Numbers:
     """Origin and axes."""
     return {"at": fx.FrameOrigin(frame), **{name: fx.FrameAxis(frame, axis) for axis, name in enumerate("xyz")}}
+
+
+def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Triangles]:
+    """The triangles of shapes, by their places among them; equal files have the same object.
+
+    At most 6000 triangles of a file, and 60 000 of all. A shape whose file cannot be drawn has none: W0351 where its
+    contents are the reason. A file that is not there has been told when its statement was checked.
+    """
+    files = {k: file for k, shape in enumerate(shapes) if (file := _file_of(shape)) is not None}
+    most = min(_MOST, _MOST_TOGETHER // max(len(set(files.values())), 1))
+    found: dict[int, Triangles] = {}
+    for k, file in files.items():
+        try:
+            found[k] = read_mesh(file, most)
+        except MeshError as fault:
+            if sink is not None:
+                sink.report("W0351", shapes[k].spans[0], file=shapes[k].texts["file"], reason=str(fault))
+    return found
+
+
+def _file_of(shape: Shape) -> Path | None:
+    name = shape.texts.get("file")
+    try:
+        return None if shape.kind != "mesh" or name is None else place_of(name, shape.spans[0].file.folder)
+    except MeshError:
+        return None

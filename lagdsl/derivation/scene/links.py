@@ -204,7 +204,7 @@ def rods(machine: Machine) -> Iterator[Shape]:
         point = item.position
         while point not in done and point not in machine.reached and not machine.is_drawn(item.spans):
             done.add(point)
-            base = _base(point, machine.named)
+            base = _base(machine.position_of(point))
             if base is None or not _is_held(machine, point, base) or _is_on_circle(machine, point, base):
                 break
             yield between("rod", "massless rod", base, point, item.spans)
@@ -294,12 +294,8 @@ def _distances(expression: fx.FlatExpression, named: Mapping[str, fm.Named]) -> 
                     waiting.append(item.value)
 
 
-def _base(point: fx.FlatExpression, named: Mapping[str, fm.Named]) -> fx.FlatExpression | None:
+def _base(point: fx.FlatExpression) -> fx.FlatExpression | None:
     """The point that another one is built on: `A` of `A + r`; the origin of the world for a position of its own."""
-    if isinstance(point, fx.PointReference):
-        item = named[point.name]
-        assert isinstance(item, fm.Point)
-        point = item.position
     if isinstance(point, fx.PointReference | fx.FrameOrigin):
         return None
     if isinstance(point, fx.Binary) and isinstance(point.left, fx.PointReference | fx.FrameOrigin):

@@ -29,9 +29,12 @@ HATCHED = frozenset({"ground", "rail", "wall"})
 _ONE = Size(1.0)
 _SHOWN = Size(1.0, None, False)
 _TIP, _DIRECTION = Size(0.018), Size(0.2)
-_AXIS = Size(0.006), Size(0.1)
+_AXES = {"x": "#dc2626", "y": "#16a34a", "z": "#2563eb"}
+_RADII = {"rod": 0.007, "rope": 0.004, "spring": 0.026, "sphere": 0.04, "mass": 0.04, "circle": 0.014, "cylinder": 0.03,
+          "cone": 0.06}  # fmt: skip
+_SLIM = {"cylinder": 2.4, "cone": 2.0}
+"""Lengths over radii."""
 _OF_ARROWS = (("at", "at"), ("to", "to"), ("z", "vector"))
-_ARROWS = frozenset({"force", "velocity", "acceleration", "admissible", "reaction", "constraint", "friction"})
 
 
 def sized(numbers: Numbers, role: str, otherwise: float) -> Size:
@@ -65,24 +68,22 @@ def parts_of(shape: Shape, *, planar: bool) -> list[Part]:
 def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
     own = {**numbers, "x" if "to" in numbers else "z": numbers["axis"]} if "axis" in numbers else numbers
     place = {role: own[role] for role in ("at", "to", "x", "z") if role in own}
+    radius = sized(numbers, "radius", _RADII.get(kind, 0.1))
     match kind:
         case "rod" | "rope":
-            return [_round("cylinder", place, sized(numbers, "radius", 0.007 if kind == "rod" else 0.004))]
+            return [_round("cylinder", place, radius)]
         case "spring":
-            radius = sized(numbers, "radius", 0.026)
-            wire = replace(radius, factor=0.16 * radius.factor)
-            return [Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))]
+            return [Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, _times(radius, 0.16)))]
         case "damper":
             return [_round("cylinder", place, Size(0.005)), _round("piston", place, Size(0.018))]
         case "box":
             return [_box(place, numbers, planar)]
         case "cylinder" | "cone" | "disc" | "gear":
-            return _turned(kind, place, numbers)
+            return _turned(kind, place, numbers, radius)
         case "sphere" | "mass":
-            return ball(place, sized(numbers, "radius", 0.04))
+            return ball(place, radius)
         case "circle":
-            form = "wire ring" if "radius" in numbers else "ring"
-            return [_even(form, place, sized(numbers, "radius", 0.014))]
+            return [_round("wire ring" if "radius" in numbers else "ring", place, radius, radius)]
         case "mesh":
             return [_scaled(place, numbers)]
         case _:
@@ -91,19 +92,17 @@ def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
 
 def _marks(kind: ShapeKind, place: Numbers, numbers: Numbers) -> list[Part]:
     """Arrows, ways, names and axes; nothing for what has a value alone."""
-    if kind == "arrow" or (kind in _ARROWS and "at" in numbers):
-        way = {role: numbers[name] for role, name in _OF_ARROWS if name in numbers}
-        return [arrow(way)] if kind == "arrow" else [arrow(way, "force")]
-    if kind in ("torque", "reaction torque"):
-        turned = {"at": numbers["at"], "z": numbers["vector"]}
-        return [replace(_even("turning arrow", turned, _SHOWN), scale="torque")]
     if kind in ("trace", "text"):
         return [Part(primitive="trace" if kind == "trace" else "label", numbers=place)]
     if kind == "frame":
-        axes = (("x", "#dc2626"), ("y", "#16a34a"), ("z", "#2563eb"))
-        ends = (({"at": numbers["at"], "z": numbers[axis]}, color) for axis, color in axes)
-        return [replace(_round("beam", place, *_AXIS), color=color) for place, color in ends]
-    return []
+        ends = (({"at": numbers["at"], "z": numbers[axis]}, color) for axis, color in _AXES.items())
+        return [replace(_round("beam", place, Size(0.006), Size(0.1)), color=color) for place, color in ends]
+    if "at" not in numbers:
+        return []
+    way = {role: numbers[name] for role, name in _OF_ARROWS if name in numbers}
+    if kind in ("torque", "reaction torque"):
+        return [replace(_round("turning arrow", way, _SHOWN, _SHOWN), scale="torque")]
+    return [arrow(way, "" if kind == "arrow" else "force")]
 
 
 def arrow(place: Numbers, scale: str = "") -> Part:
@@ -111,8 +110,8 @@ def arrow(place: Numbers, scale: str = "") -> Part:
     return Part(form="arrow", numbers=place, sizes=(_TIP, _TIP, _SHOWN if scale else _DIRECTION), scale=scale)
 
 
-def _even(form: str, place: Numbers, size: Size) -> Part:
-    return Part(form=form, numbers=place, sizes=(size, size, size))
+def _times(size: Size, factor: float) -> Size:
+    return replace(size, factor=factor * size.factor)
 
 
 def _round(form: str, place: Numbers, radius: Size, length: Size = _ONE) -> Part:
@@ -121,9 +120,8 @@ def _round(form: str, place: Numbers, radius: Size, length: Size = _ONE) -> Part
 
 def ball(place: Numbers, radius: Size) -> list[Part]:
     """Light and dark octants, as one marks a mass center: one sees it turn."""
-    across = replace(radius, factor=-radius.factor)
-    light = _even("octants", place, radius)
-    return [light, replace(light, sizes=(across, radius, radius), shade=_DARK)]
+    light = _round("octants", place, radius, radius)
+    return [light, replace(light, sizes=(_times(radius, -1.0), radius, radius), shade=_DARK)]
 
 
 def wheel(place: Numbers, radius: Size, width: Size) -> list[Part]:
@@ -143,17 +141,14 @@ def _box(place: Numbers, numbers: Numbers, planar: bool) -> Part:
     return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", _BOX), across, up))
 
 
-def _turned(kind: ShapeKind, place: Numbers, numbers: Numbers) -> list[Part]:
+def _turned(kind: ShapeKind, place: Numbers, numbers: Numbers, radius: Size) -> list[Part]:
     """Cylinders and discs on a frame stand about their axis, their middle at its origin, cones from there on."""
-    part, slim = {"cylinder": (0.03, 2.4), "cone": (0.06, 2.0)}.get(kind, (0.1, 0.12))
-    radius = sized(numbers, "radius", part)
     if "to" in numbers:
         return [_round("cone" if kind == "cone" else "cylinder", place, radius)]
     given = next((role for role in ("length", "height") if role in numbers), None)
-    length = replace(radius, factor=slim * radius.factor) if given is None else sized(numbers, given, 0.0)
-    if kind in ("disc", "gear"):
-        return [_round("drum", place, radius, length), replace(_round("marks", place, radius, length), color="#f8fafc")]
-    return [_round("cone" if kind == "cone" else "drum", place, radius, length)]
+    length = sized(numbers, given, 0.0) if given else _times(radius, _SLIM.get(kind, 0.12))
+    body = _round("cone" if kind == "cone" else "drum", place, radius, length)
+    return [body, replace(body, form="marks", color="#f8fafc")] if kind in ("disc", "gear") else [body]
 
 
 def _scaled(place: Numbers, numbers: Numbers) -> Part:

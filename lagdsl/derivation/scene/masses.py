@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from operator import itemgetter
 
 import numpy as np
 
@@ -26,6 +27,7 @@ _BAR_INERTIA = 1.0 / 12.0
 _THIN = 0.02  # of a side that a moment of inertia does not tell
 _PULLEY = 0.09  # radius of a wheel without a mass
 _AXES = np.eye(3)
+_ARM = (Size(0.006), Size(0.006), Size(1.0))
 _WHEEL = 0.25  # width over radius of a wheel, and of a body whose moments tell no width
 
 
@@ -149,7 +151,8 @@ def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:
 
 
 class _Body:
-    """Chooses the look of one body. `points` (n, 3) are those that are fixed in it, along its axes."""
+    """Chooses the look of one body. `corners` are points that are fixed in it, with their components (3,) along its
+    axes: `points`, its mass center and, if that is elsewhere, the origin of its frame."""
 
     def __init__(self, machine: Machine, item: fm.RigidBody) -> None:
         self.machine, self.item = machine, item
@@ -158,60 +161,49 @@ class _Body:
         self.com = np.array([number(at, part) for part in item.com])
         self.moments = np.array([number(at, part) for part in item.inertia])
         self.points = machine.fixed_points(item.frame)
+        self.origin: fx.FlatExpression = fx.FrameOrigin(item.frame)
+        self.center = mass_centre(item) if self.com.any() else self.origin
+        self.corners = [*self.points, (self.center, self.com)]
+        self.corners += [(self.origin, np.zeros(3))] if self.com.any() else []
 
     def parts(self) -> list[Part]:
         """A point by a ball; a body that is held away from its mass center, or at several points, by bars between them;
         any other one by its inertia."""
         if not self.moments.any():
-            return self._point()
+            arm = Part(form="cylinder", numbers={"at": self.origin, "to": self.center}, sizes=_ARM)
+            return [*ball({"at": self.center}, Size(BALL)), *([arm] if self.com.any() else [])]
         if self.mass <= 0.0 or not np.isfinite(self.moments).all():
             return self._wheel(Size(_PULLEY))
         planar = not self.moments[[0, 1, 3, 4, 5]].any()
-        rank = _rank(np.array([each for _, each in self._corners()]))
-        if self.points and rank > 1:
+        rank = _rank(np.array([each for _, each in self.corners]))
+        if self.points and (rank > 1 or (rank == 1 and not planar)):
             return self._frame()
         if planar and (rank > 0 or self._is_bar()):
             return [self._bar()]
-        if not planar and self.points and rank == 1:
-            return self._frame()
-        lever = [self._beam(fx.FrameOrigin(self.item.frame), self._center(), 0.3 * BAR)] if self.com.any() else []
+        lever = [self._beam(self.origin, self.center, 0.3 * BAR)] if self.com.any() else []
         return [*(self._disc() if planar else self._spatial()), *lever]
 
     # ---- pieces ------------------------------------------------------------------------------------------------------
 
-    def _center(self) -> fx.FlatExpression:
-        if not self.com.any():
-            return fx.FrameOrigin(self.item.frame)
-        return mass_centre(self.item)
-
     def _place(self, turn: Floats = _AXES) -> Numbers:
         """At the mass center, along the axes of the frame, or of those that are the columns of `turn`."""
         x, z = (in_axes(self.item.frame, turn[:, k]) for k in (0, 2))
-        return {"at": self._center(), "x": x, "z": z}
+        return {"at": self.center, "x": x, "z": z}
+
+    def _root(self, moment: fx.FlatExpression) -> fx.FlatExpression:
+        return fx.Function("sqrt", (fx.Binary("/", moment, self.item.mass),))
 
     def _length(self, moment: fx.FlatExpression) -> Size:
         """sqrt(moment / mass)."""
-        return Size(1.0, fx.Function("sqrt", (fx.Binary("/", moment, self.item.mass),)), False)
-
-    def _point(self) -> list[Part]:
-        center = self._center()
-        found = ball({"at": center}, Size(BALL))
-        if self.com.any():
-            ends = {"at": fx.FrameOrigin(self.item.frame), "to": center}
-            found.append(Part(form="cylinder", numbers=ends, sizes=(Size(0.006), Size(0.006), Size(1.0))))
-        return found
+        return Size(1.0, self._root(moment), False)
 
     def _wheel(self, radius: Size) -> list[Part]:
         return wheel(self._place(), radius, replace(radius, factor=_WHEEL * radius.factor))
 
-    # ---- plane bodies ------------------------------------------------------------------------------------------------
+    def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
+        return Part(form="beam", numbers={"at": start, "to": end}, sizes=(Size(width), Size(width), Size(1.0)))
 
-    def _corners(self) -> list[tuple[fx.FlatExpression, Floats]]:
-        """Points of the body with its mass center and, if that is elsewhere, the origin of its frame."""
-        found = [*self.points, (self._center(), self.com)]
-        if self.com.any():
-            found.append((fx.FrameOrigin(self.item.frame), np.zeros(3)))
-        return found
+    # ---- plane bodies ------------------------------------------------------------------------------------------------
 
     def _is_bar(self) -> bool:
         behind = self.machine.length_behind(self.item.inertia[2], self.item.mass)
@@ -220,38 +212,31 @@ class _Body:
     def _disc(self) -> list[Part]:
         """About the normal of the plane: of the radius of a parameter, if one is behind the moment."""
         radius = radius_of(self.machine, self.item)
-        if radius is not None:
-            return self._wheel(Size(1.0, radius, False))
-        return self._wheel(self._length(fx.Binary("*", fx.Number(2.0), self.item.inertia[2])))
-
-    def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
-        return Part(form="beam", numbers={"at": start, "to": end}, sizes=(Size(width), Size(width), Size(1.0)))
+        moment = fx.Binary("*", fx.Number(2.0), self.item.inertia[2])
+        return self._wheel(Size(1.0, radius, False) if radius is not None else self._length(moment))
 
     def _frame(self) -> list[Part]:
         """Bars around the points of the body, seen across the plane that they lie in or near."""
-        corners = self._corners()
-        places = np.array([own for _, own in corners])
+        places = np.array([own for _, own in self.corners])
         axes = np.linalg.svd(places - places.mean(axis=0))[2][:2]
         rim = hull((places - places.mean(axis=0)) @ axes.T)
         ends = zip(rim, rim[1:] + rim[:1], strict=True) if len(rim) > 2 else [(rim[0], rim[-1])]
-        return [self._beam(corners[i][0], corners[j][0]) for i, j in ends]
+        return [self._beam(self.corners[i][0], self.corners[j][0]) for i, j in ends]
 
     def _bar(self) -> Part:
         """I = m l^2/12 about the mass center; one that is held at two points ends there."""
-        frame = self.item.frame
         ways = [self.com, *(place for _, place in self.points), np.array([1.0, 0.0, 0.0])]
         along = next(way / np.linalg.norm(way) for way in ways if np.linalg.norm(way) > HELD)
-        center, half = float(self.com @ along), float(np.sqrt(3.0 * self.moments[2] / self.mass))
-        square = fx.Binary("/", fx.Binary("*", fx.Number(3.0), self.item.inertia[2]), self.item.mass)
-        direction = along_axes(frame, [fx.Number(float(part)) for part in along])
-        way = fx.Binary("*", fx.Function("sqrt", (square,)), direction)
-        ends: list[fx.FlatExpression] = [fx.Binary(sign, self._center(), way) for sign in "-+"]  # type: ignore[arg-type]
-        held = sorted(((float(own @ along), k) for k, (_, own) in enumerate(self._corners())), key=lambda each: each[0])
+        half = float(np.sqrt(3.0 * self.moments[2] / self.mass))
+        direction = along_axes(self.item.frame, [fx.Number(float(part)) for part in along])
+        way = fx.Binary("*", self._root(fx.Binary("*", fx.Number(3.0), self.item.inertia[2])), direction)
+        ends: list[fx.FlatExpression] = [fx.Binary(sign, self.center, way) for sign in "-+"]  # type: ignore[arg-type]
+        # Along the bar from its middle.
+        held = sorted(((float((own - self.com) @ along), point) for point, own in self.corners), key=itemgetter(0))
         outer = (held[0], held[-1]) if self.points and held[-1][0] - held[0][0] > HELD else ()
-        for k, (place, corner) in enumerate(outer):
-            reached = center + (half if k else -half)
-            if HELD < abs(place - center) <= abs(reached - center) * (1.0 + 1e-6):
-                ends[k] = self._corners()[corner][0]
+        for k, (place, point) in enumerate(outer):
+            if HELD < abs(place) <= half * (1.0 + 1e-6):
+                ends[k] = point
         return self._beam(ends[0], ends[1])
 
     # ---- bodies in space ---------------------------------------------------------------------------------------------

@@ -8,8 +8,8 @@ from dataclasses import field, replace
 
 import numpy as np
 
+from lagdsl.derivation.scene.drawings import meshes_of
 from lagdsl.derivation.scene.forms import COARSE, FINE, form
-from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.shapes import Part, Scene
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.numerics.rank import Floats

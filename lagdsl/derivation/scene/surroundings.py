@@ -11,7 +11,7 @@ from lagdsl.derivation.scene.drawings import on_frame
 from lagdsl.derivation.scene.looks import COLORS, OTHER
 from lagdsl.derivation.scene.machine import HELD, Machine, anchors_of, constant, fixed, number, on_body, vector
 from lagdsl.derivation.scene.masses import radius_of
-from lagdsl.derivation.scene.shapes import Numbers, Part, Shape, ShapeKind, Size, scene_with
+from lagdsl.derivation.scene.shapes import Numbers, Part, Shape, ShapeKind, Size, acting, scene_with
 from lagdsl.derivation.scene.stage import BOARD
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.dimension import CHARGE
@@ -173,35 +173,29 @@ def loads(machine: Machine) -> Iterator[Shape]:
     for load in machine.flat.loads:
         match load:
             case fm.PointForce():
-                yield _load("force", load, load.point, load.force)
+                yield acting("force", load.label or "force", load.point, load.force, load.spans)
             case fm.FrameTorque():
-                yield _load("torque", load, fx.FrameOrigin(load.frame), load.torque)
+                yield acting("torque", load.label or "torque", fx.FrameOrigin(load.frame), load.torque, load.spans)
             case fm.GeneralizedForce():
-                found = _acts_at(machine, load.target)
-                if found is not None:
-                    kind, place, axis = found
-                    yield _load(kind, load, place, fx.Binary("*", load.value, fixed(axis)))
+                for kind, place, axis in _acts_at(machine, load.target):
+                    yield acting(kind, load.label or kind, place, fx.Binary("*", load.value, fixed(axis)), load.spans)
             case fm.RateForce():
                 pass
 
 
-def _load(kind: ShapeKind, load: fm.Load, at: fx.FlatExpression, vector: fx.FlatExpression) -> Shape:
-    return Shape(kind=kind, name=load.label or kind, numbers={"at": at, "vector": vector}, spans=load.spans)
-
-
-def _acts_at(machine: Machine, target: fx.FlatExpression) -> tuple[ShapeKind, fx.FlatExpression, Floats] | None:
+def _acts_at(machine: Machine, target: fx.FlatExpression) -> list[tuple[ShapeKind, fx.FlatExpression, Floats]]:
     """The first thing that a coordinate alone shifts along a line or turns about a direction that does not change."""
     if not isinstance(target, fx.Variable):
-        return None
+        return []
     for point, name, move in machine.slides():
         if name == target.name:
-            return "force", point, move
+            return [("force", point, move)]
     for body in machine.flat.bodies:
         omega = fx.AngularVelocity(body.frame)
         one, other = (vector(machine.at(seed, {target.name: 1.0}), omega) for seed in range(2))
         if abs(np.linalg.norm(one) - 1.0) <= HELD and np.abs(one - other).max() <= HELD:
-            return "torque", fx.FrameOrigin(body.frame), one
-    return None
+            return [("torque", fx.FrameOrigin(body.frame), one)]
+    return []
 
 
 def frames(machine: Machine) -> Iterator[Shape]:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
-from lagdsl.derivation.scene.shapes import Part, Scene, Shape
+from lagdsl.derivation.scene.shapes import Part, Scene
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.documents.page.packed import packed_form, packed_meshes
@@ -20,7 +20,7 @@ from lagdsl.engines.runtime.structures import WHAT
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
-from lagdsl.language.flat.display import display, drawn_rate
+from lagdsl.language.flat.display import Display, display, drawn_rate
 from lagdsl.language.flat.events import Contact, Entry, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
@@ -55,32 +55,18 @@ def head_of(
     for name, others in other_names(model).items():
         docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
-        "name": model.name,
-        "doc": model.doc,
+        **fields(model, "name doc"),
         "version": __version__,
         "source": "" if source is None else source.text,
         "inks": "" if source is None else _inks(source.text),
         "planar": living.scene.planar,
-        "stage": {
-            "axes": [axis.tolist() for axis in stage.axes],
-            "center": stage.center.tolist(),
-            "length": stage.length,
-            "scales": stage.scales,
-            "boards": [board.T.ravel().tolist() for board in stage.boards],
-            **_forms(stage),
-        },
+        "stage": _stage(stage),
         "start": start,
         "stop": stop,
         "tolerance": made.tolerance,
         "columns": [
-            {
-                "name": column.name,
-                "kind": column.kind,
-                "unit": column.unit,
-                "display": asdict(drawn_rate(column.display) if column.kind == "rate" else column.display),
-                "doc": docs.get(column.name),
-            }
-            for column in motion.columns[:first]
+            fields(each, "name kind unit", display=_display(each.display, each.kind == "rate"), doc=docs.get(each.name))
+            for each in motion.columns[:first]
         ],
         "scene": {"first": first, "count": count, "shapes": shapes_of(living.scene, source, numbers)},
         "meshes": [asdict(mesh) for mesh in meshes],
@@ -105,6 +91,15 @@ def head_of(
         },
         "event_names": [{"kind": kind, "names": list(named.get(kind, ()))} for kind in WHAT],
     }
+
+
+def fields(item: object, names: str, **more: Json) -> dict[str, Json]:
+    """Fields of an item by their names, and what is told besides."""
+    return {**{name: getattr(item, name) for name in names.split()}, **more}
+
+
+def _display(own: Display, is_rate: bool) -> Json:
+    return asdict(drawn_rate(own) if is_rate else own)
 
 
 def _inks(text: str) -> str:
@@ -136,13 +131,19 @@ def _named(entry: Entry) -> str:
     return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
 
 
-def _forms(stage: Stage) -> dict[str, Json]:
-    """Unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
+def _stage(stage: Stage) -> Json:
+    """With unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
     parts = [part for shape in stage.scene.shapes for part in shape.parts]
     surfaces = {part.form for part in parts if part.primitive == "surface"}
     names = sorted({"arrow", "turning arrow", *surfaces} - {"file"})
-    points = coil().round(4).tolist() if any(part.form == "coil" for part in parts) else []
-    return {"coil": points, "forms": {name: asdict(packed_form(name, stage.around)) for name in names}}
+    return fields(
+        stage, "length scales",
+        axes=[axis.tolist() for axis in stage.axes],
+        center=stage.center.tolist(),
+        boards=[board.T.ravel().tolist() for board in stage.boards],
+        coil=coil().round(4).tolist() if any(part.form == "coil" for part in parts) else [],
+        forms={name: asdict(packed_form(name, stage.around)) for name in names},
+    )  # fmt: skip
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
@@ -152,31 +153,29 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
         minimum, maximum = 0.0, 1.0
     elif isinstance(item, Input) and item.literals:
         minimum, maximum = 1.0, float(len(item.literals))
-    return {
-        "name": item.name,
-        "doc": item.doc,
-        "display": asdict(drawn_rate(display(item)) if item.name.startswith("der(") else display(item)),
-        "value": value,
-        "minimum": _finite(minimum),
-        "maximum": _finite(maximum),
-        "kind": item.base,
-        "group": group,
-        "angle": is_angle(item),
-    }
+    shown = _display(display(item), item.name.startswith("der("))
+    limits: dict[str, Json] = {"minimum": finite(minimum), "maximum": finite(maximum)}
+    more: dict[str, Json] = {"value": value, "kind": item.base, "group": group, "angle": is_angle(item)}
+    return fields(item, "name doc", display=shown, **limits, **more)
 
 
-def _finite(value: float | None) -> float | None:
+def finite(value: float | None) -> float | None:
     return value if value is not None and math.isfinite(value) else None
 
 
 def occurrences(motion: Trajectory) -> list[Json]:
-    return [{"time": event.time, "name": event.name, "kind": event.kind} for event in motion.events]
+    return [fields(event, "time name kind") for event in motion.events]
 
 
 def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] = _NONE) -> list[Json]:
     """`meshes` has the numbers of meshes by those of shapes."""
-    own = ({"mesh": meshes[k]} if k in meshes else {} for k in range(len(scene.shapes)))
-    return [{**_shape(scene, shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
+    found: list[Json] = []
+    for k, shape in enumerate(scene.shapes):
+        own: dict[str, Json] = {"mesh": meshes[k]} if k in meshes else {}
+        own["numbers"] = {role: scene.first(value) for role, value in shape.numbers.items() if role in _VALUES}
+        own["parts"] = [_part(scene, part) for part in shape.parts]
+        found.append(fields(shape, "kind name texts", span=_span(shape.spans, source), **own))
+    return found
 
 
 # Of these a page tells the values; places stand in the parts.
@@ -184,29 +183,18 @@ _VALUES = frozenset({"vector", "value", "mode"})
 _USUAL = Part(numbers={})
 
 
-def _shape(scene: Scene, shape: Shape, source: SourceFile | None) -> dict[str, Json]:
-    return {
-        "kind": shape.kind,
-        "name": shape.name,
-        "numbers": {role: scene.first(value) for role, value in shape.numbers.items() if role in _VALUES},
-        "parts": [_part(scene, part) for part in shape.parts],
-        "texts": shape.texts,
-        "span": _span(shape.spans, source),
-    }
-
-
 def _part(scene: Scene, part: Part) -> Json:
     """Without what it shares with most others."""
     numbers = {role: scene.first(value) for role, value in part.numbers.items()}
-    told: dict[str, Json] = {"primitive": part.primitive, "numbers": numbers, "color": part.color}
+    told = fields(part, "primitive color", numbers=numbers)
     if part.primitive in ("surface", "line"):
         columns = (-1 if size.value is None else scene.first(size.value) for size in part.sizes)
         sizes = [[size.factor, column, size.relative] for size, column in zip(part.sizes, columns, strict=True)]
         told |= {"form": part.form, "sizes": sizes}
     if part.points:
         told |= {"numbers": {"points": scene.first(part.points)}, "count": len(part.points)}
-    names = ("shade", "opacity", "scale", "still", "offset", "board")
-    return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(_USUAL, name)}}
+    own, usual = (fields(each, "shade opacity scale still offset board") for each in (part, _USUAL))
+    return told | {name: value for name, value in own.items() if value != usual[name]}
 
 
 def _span(spans: Spans, source: SourceFile | None) -> Json:

@@ -10,8 +10,7 @@ import numpy as np
 
 from lagdsl.documents.page.head import head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import recording_of
-from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
+from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare, recording_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing

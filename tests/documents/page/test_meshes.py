@@ -14,8 +14,8 @@ from meshes.solids import binary_stl, collada
 from page.pages import Elements, inflated
 
 import lagdsl
+from lagdsl.derivation.scene.drawings import meshes_of
 from lagdsl.derivation.scene.living import scene_of
-from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.stage import stage_of
 from lagdsl.documents.plot.picture.shapes import GAUGES, Faces, parts_of
 from lagdsl.foundation.diagnostics import Sink

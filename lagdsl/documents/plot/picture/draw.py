@@ -12,7 +12,7 @@ import numpy as np
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.shapes import GAUGES, Color, Faces, Painted, Words, parts_of
 from lagdsl.documents.plot.picture.view import View, steps_of, view_of
-from lagdsl.documents.plot.sheet import escaped, sheet
+from lagdsl.documents.plot.sheet import escaped, save, sheet
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -72,15 +72,8 @@ def draw(picture: Drawn, row: int, ghosts: Sequence[int] = (), caption: str = ""
 
 
 def save_picture(picture: Drawn, path: Path | str, pixels: int = 1280) -> None:
-    """In the form of the suffix, PNG without one, `pixels` wide; the same bytes at any time."""
-    suffix = Path(path).suffix.lstrip(".").lower()
-    known = suffix in picture.figure.canvas.get_supported_filetypes()
-    form = suffix if known else "png"
-    stamp: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(form, {})
-    import matplotlib as mpl
-
-    with mpl.rc_context({"svg.hashsalt": "lagdsl"}):
-        picture.figure.savefig(path, dpi=pixels / _INCHES, format=form, facecolor=PAPER, metadata=stamp)
+    """In the form of the suffix, PNG without one, `pixels` wide."""
+    save(picture.figure, path, pixels / _INCHES)
 
 
 def _paint(picture: Drawn, parts: Sequence[Painted], opacity: float) -> None:

@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 
 from lagdsl.documents.report.figure.lettering import width
-from lagdsl.documents.report.marks import Arrow, Ball, Caption, Stroke
+from lagdsl.documents.report.marks import Arrow, Ball, Caption, Mark, Stroke
 from lagdsl.foundation.numerics.rank import Floats
 
 _HALF_HEIGHT = 8.0
@@ -28,9 +28,7 @@ _DISTANCES = np.array([0.0, 6.0, 14.0, 24.0])
 _ROUNDS = 3
 
 
-def labelled(
-    marks: Sequence[Stroke | Ball | Arrow | Caption], across: float, upward: float
-) -> tuple[Stroke | Ball | Arrow | Caption, ...]:
+def labelled(marks: Sequence[Mark], across: float, upward: float) -> tuple[Mark, ...]:
     """The marks with the places of their labels; the picture reaches from (0, 0) to (across, upward)."""
     result, room = list(marks), np.array([across, upward])
     lines = [pair for mark in marks if isinstance(mark, Stroke | Arrow) for pair in pairwise(mark.points)]
