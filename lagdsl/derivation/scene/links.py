@@ -251,7 +251,8 @@ def arms(machine: Machine) -> Iterator[Shape]:
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
         lengths = np.linalg.norm(machine.places(own) - machine.places(parent), axis=1)
         moves = machine.movers_of(parent) | machine.movers_of(fx.FrameAxis(item.parent, 0))
-        held = np.ptp(lengths) <= HELD * lengths.max() or (moves and not _is_placed(item))
+        placed = any(isinstance(step, fm.Place) for step in item.steps)
+        held = np.ptp(lengths) <= HELD * lengths.max() or (moves and not placed)
         ends = frozenset(map(machine.spelled, (parent, own)))
         if lengths.min() > HELD and held and ends not in known:
             known.add(ends)
@@ -268,11 +269,6 @@ def _written(flat: fm.FlatModel) -> Iterator[str]:
                 part = frames[anchor]
                 if part.file == whole.file and whole.start <= part.start and part.end <= whole.end:
                     yield anchor
-
-
-def _is_placed(frame: fm.Frame) -> bool:
-    """Does its origin stand at a position of its own, whatever frame its axes are built on?"""
-    return any(isinstance(step, fm.Place) for step in frame.steps)
 
 
 def _distances(expression: fx.FlatExpression, named: Mapping[str, fm.Named]) -> Iterator[Ends]:

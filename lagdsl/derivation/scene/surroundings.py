@@ -116,21 +116,18 @@ def tracks(machine: Machine) -> Iterator[Shape]:
 def _wire(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:
     movers = machine.movers_of(mass.position)
     for item, residual in machine.gaps():
-        if not isinstance(item, fm.Constraint) or machine.movers_of(residual) != movers or len(movers) != 2:
+        two = isinstance(item, fm.Constraint) and len(movers) == 2 and machine.movers_of(residual) == movers
+        if not two or machine.normal_of(residual, mass.position, movers) is not None:  # a plane has its ground
             continue
         for free, solved in (sorted(movers), sorted(movers)[::-1]):
             slope = np.array([machine.derivatives(residual, [solved], seed) for seed in range(3)])
-            if not (constant(slope) and slope[0]) or _is_plane(machine, residual, mass):
+            if not (constant(slope) and slope[0]):
                 continue
             rest = substituted(residual, {solved: fx.ZERO})
             height = fx.Binary("/", rest, fx.Number(-float(slope[0, 0])))
             place = substituted(machine.position_of(mass.position), {solved: height})
             return [substituted(place, {free: fx.Number(s)}) for s in _range(machine, free, movers)]
     return []
-
-
-def _is_plane(machine: Machine, gap: fx.FlatExpression, mass: fm.PointMass) -> bool:
-    return machine.normal_of(gap, mass.position, machine.movers_of(gap)) is not None
 
 
 def _way(machine: Machine, mass: fm.PointMass) -> list[fx.FlatExpression]:

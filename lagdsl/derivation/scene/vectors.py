@@ -69,17 +69,16 @@ def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
 def _carriers(flat: fm.FlatModel) -> Iterator[_Carrier]:
     """Those that move."""
     dependence = Dependence(flat)
-    found = [(_name_of(item.position, k), item.position, item.spans) for k, item in enumerate(flat.masses, 1)]
+    found = [
+        (at.name if isinstance(at := item.position, fx.PointReference) else f"mass {k}", at, item.spans)
+        for k, item in enumerate(flat.masses, 1)
+    ]
     found += [(body.label or f"body {k}", mass_centre(body), body.spans) for k, body in enumerate(flat.bodies, 1)]
     for name, position, spans in found:
         own = dependence.of(position)
         moved = tuple(item.name for item in flat.coordinates if item.name in own)
         if moved or "time" in own:
             yield _Carrier(name, position, moved, spans)
-
-
-def _name_of(position: fx.FlatExpression, number: int) -> str:
-    return position.name if isinstance(position, fx.PointReference) else f"mass {number}"
 
 
 def _admissible(flat: fm.FlatModel, carriers: Sequence[_Carrier]) -> Iterator[Shape]:

@@ -145,11 +145,7 @@ def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """The masses and bodies of a machine without admissible motions, if they are few."""
     for k, place in found.places if len(found.carriers) <= _MOST_NAMES else ():
         if width(drawn.carriers[k]) <= _LONGEST_NAME:
-            sheet.add([place], partial(_caption, drawn.carriers[k]), counted=False)
-
-
-def _caption(label: Box, at: Place) -> Caption:
-    return Caption(at, label, at)
+            sheet.add([place], lambda at, label=drawn.carriers[k]: Caption(at, label, at), counted=False)
 
 
 def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
