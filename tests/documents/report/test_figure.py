@@ -18,7 +18,7 @@ from lagdsl.derivation.textbook.recipe import recipe
 from lagdsl.documents.report.derivation import document, render
 from lagdsl.documents.report.document import Drawing
 from lagdsl.documents.report.figure.draw import outlines
-from lagdsl.documents.report.figure.lettering import width
+from lagdsl.documents.report.figure.labels import width
 from lagdsl.documents.report.marks import Arrow, Caption, Figure, Stroke
 from lagdsl.documents.report.unicode_math import line
 from lagdsl.foundation.diagnostics import Sink

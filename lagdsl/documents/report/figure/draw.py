@@ -15,8 +15,7 @@ from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
-from lagdsl.documents.report.figure.labels import labelled
-from lagdsl.documents.report.figure.lettering import width
+from lagdsl.documents.report.figure.labels import labelled, width
 from lagdsl.documents.report.figure.pose import Pose, pose
 from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Mark, Place, Role, Stroke, Style
 from lagdsl.documents.report.names import indexed

@@ -6,7 +6,7 @@ import math
 from html import escape
 
 from lagdsl.documents.report.boxes import Box
-from lagdsl.documents.report.figure.lettering import pieces
+from lagdsl.documents.report.figure.labels import pieces
 from lagdsl.documents.report.marks import Ball, Caption, Figure, Mark, Place, Stroke, color
 
 _STROKES = {
