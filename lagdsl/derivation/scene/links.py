@@ -186,15 +186,12 @@ def ropes(machine: Machine) -> Iterator[Shape]:
 
 def _hanging(machine: Machine, residual: fx.FlatExpression) -> list[Ends]:
     """Ropes of masses that slide along gravity and are tied to each other: each from where its coordinate is zero."""
+    if machine.down is None:
+        return []
     names = machine.movers_of(residual)
-    tied = (
-        [(point, move) for point, name, move in machine.slides() if name in names] if machine.down is not None else []
-    )
-    if machine.down is None or len(names) < 2 or len(tied) < len(names):
-        return []
-    if any(np.linalg.norm(np.cross(move, machine.down)) > HELD for _, move in tied):
-        return []
-    return [(_at_zero(machine, point, names), point) for point, _ in tied]
+    tied = [(point, move) for point, name, move in machine.slides() if name in names]
+    falls = all(np.linalg.norm(np.cross(move, machine.down)) <= HELD for _, move in tied)
+    return [(_at_zero(machine, point, names), point) for point, _ in tied if falls and len(tied) >= len(names) > 1]
 
 
 def rods(machine: Machine) -> Iterator[Shape]:

@@ -152,16 +152,12 @@ def _on_a_circle(places: Floats) -> bool:
 
 
 def _range(machine: Machine, name: str, movers: Iterable[str]) -> list[float]:
-    """A turn of an angle; of a length as far as its start values let one expect."""
+    """A turn of an angle; of a length as far as its start values let one expect; within its bounds."""
     items = {each.name: each for each in machine.flat.coordinates}
-    if is_angle(items[name]):
-        low, high = -math.pi, math.pi
-    else:
-        starts = [abs(number(machine.positions[0], items[each].start)) for each in movers]
-        high = _FARTHEST * max(starts) or 1.0
-        low = -high
-        minimum, maximum = items[name].minimum, items[name].maximum
-        low, high = (low if minimum is None else max(low, minimum)), (high if maximum is None else min(high, maximum))
+    item, starts = items[name], [abs(number(machine.positions[0], items[each].start)) for each in movers]
+    far = math.pi if is_angle(item) else _FARTHEST * max(starts) or 1.0
+    low = -far if item.minimum is None else max(-far, item.minimum)
+    high = far if item.maximum is None else min(far, item.maximum)
     return [float(value) for value in np.linspace(low, high, _STEPS_OF_A_TRACK)]
 
 

@@ -32,15 +32,6 @@ _OF_JOINTS: tuple[tuple[ShapeKind, Literal["force", "torque"]], ...] = (
     ("reaction", "force"),
     ("reaction torque", "torque"),
 )
-UNITS: dict[ShapeKind, str] = {
-    "velocity": "m/s",
-    "acceleration": "m/s2",
-    "reaction": "N",
-    "reaction torque": "N.m",
-    "constraint": "N",
-    "friction": "N",
-}
-"""Of the numbers behind an arrow; admissible motions have that of their coordinate."""
 
 
 @record()

@@ -20,7 +20,7 @@ from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
 from lagdsl.language.flat.display import Display, display, drawn_rate
-from lagdsl.language.flat.events import Contact, Entry, Friction, entries
+from lagdsl.language.flat.events import Contact, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
 from lagdsl.language.settings.aliases import other_names
@@ -110,7 +110,7 @@ def head_of(
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
         "blamed": {
-            "entries": [_named(each) for each in entries(living.flat.events)],
+            "entries": [e.item.name if isinstance(e.item, _NAMED) else e.name for e in entries(living.flat.events)],
             "rows": [slot.name for slot in engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
         },
@@ -149,11 +149,6 @@ def _sliders(model: FlatModel, living: FlatModel) -> list[str]:
     fixed, written = ([name for name, *flags in every if flags[k]] for k in (0, 1))
     own = [p.name for p in model.parameters if not p.structural and not ("." in p.name and p.name.endswith("]"))]
     return [*(fixed or written), *own, *(item.name for item in model.inputs)]
-
-
-def _named(entry: Entry) -> str:
-    """A contact or a friction by its own name, anything else by its condition."""
-    return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
 
 
 def _stage(stage: Stage) -> Json:
@@ -203,6 +198,8 @@ def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int]
     return found
 
 
+# A contact or a friction is blamed by its own name, anything else by its condition.
+_NAMED = (Contact, Friction)
 # Of these a page tells the values; places stand in the parts.
 _VALUES = frozenset({"vector", "value", "mode"})
 _USUAL = Part(numbers={})

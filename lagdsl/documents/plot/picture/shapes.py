@@ -11,7 +11,7 @@ from lagdsl.derivation.scene.looks import OTHER
 from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.foundation.meshes.triangles import Triangles, thinned
+from lagdsl.foundation.meshes.triangles import thinned
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -65,9 +65,13 @@ def _painted(posed: Posed, shape: Shape, number: int) -> list[Painted]:
     part, color, stage = posed.part, color_of(posed.part), posed.stage
     match part.primitive:
         case "surface":
-            if part.form == "file" and number not in stage.meshes:
+            if part.form != "file":
+                unit = form(part.form, stage.around)
+            elif number in stage.meshes:
+                few = thinned(stage.meshes[number], _FEW)
+                unit = few.points[few.corners[:, (0, 1, 2, 2)]]
+            else:
                 return []
-            unit = _corners(stage.meshes[number]) if part.form == "file" else form(part.form, stage.around)
             matrix = posed.matrix()
             turned = unit[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0.0 else unit
             return [Faces(corners=placed(turned, matrix), color=color, opacity=part.opacity)]
@@ -78,12 +82,6 @@ def _painted(posed: Posed, shape: Shape, number: int) -> list[Painted]:
         case "label":
             text, at = shape.texts.get("text", shape.name), posed.vector("at")
             return [Words(text=text, at=at, size=0.06 * stage.length)]
-
-
-def _corners(mesh: Triangles) -> Floats:
-    """Triangles of a file as quadrilaterals (n, 4, 3) whose last corner is the third one again."""
-    few = thinned(mesh, _FEW)
-    return np.asarray(few.points[few.corners[:, (0, 1, 2, 2)]])
 
 
 def _trace(posed: Posed, color: Color) -> list[Painted]:
