@@ -10,7 +10,7 @@ import numpy as np
 
 from lagdsl.derivation.scene.looks import COLORS, parts_of
 from lagdsl.derivation.scene.machine import HELD, WORLD, Machine, anchors_of, constant, fixed, number, vector
-from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, between
+from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -41,7 +41,8 @@ def springs(machine: Machine) -> Iterator[Shape]:
             for ends in pairs or _ends_by_numbers(machine, part, kind):
                 if (kind, ends) not in seen:
                     seen.add((kind, ends))
-                    link = between(kind, term.label or kind, *ends, term.spans)
+                    numbers = dict(zip(("at", "to"), ends, strict=True))
+                    link = Shape(kind=kind, name=term.label or kind, numbers=numbers, spans=term.spans)
                     yield replace(link, parts=_with_wall(machine, link, ends))
 
 
@@ -177,11 +178,9 @@ def ropes(machine: Machine) -> Iterator[Shape]:
             pairs = list(_distances(residual, machine.named))
             if not pairs and len(machine.movers_of(residual)) > 1:
                 pairs = _by_distance(machine, residual, "spring")
-            for a, b in pairs:
-                if not (_is_on_circle(machine, a, b, residual) or _is_on_circle(machine, b, a, residual)):
-                    yield between("rope", constraint.name, a, b, constraint.spans)
-            for a, b in _hanging(machine, residual):
-                yield between("rope", constraint.name, a, b, constraint.spans)
+            on_wire = [p for p in pairs if any(_is_on_circle(machine, *each, residual) for each in (p, p[::-1]))]
+            for a, b in (*(each for each in pairs if each not in on_wire), *_hanging(machine, residual)):
+                yield Shape(kind="rope", name=constraint.name, numbers={"at": a, "to": b}, spans=constraint.spans)
 
 
 def _hanging(machine: Machine, residual: fx.FlatExpression) -> list[Ends]:
@@ -204,7 +203,7 @@ def rods(machine: Machine) -> Iterator[Shape]:
             base = _base(machine.position_of(point))
             if base is None or not _is_held(machine, point, base) or _is_on_circle(machine, point, base):
                 break
-            yield between("rod", "massless rod", base, point, item.spans)
+            yield Shape(kind="rod", name="massless rod", numbers={"at": base, "to": point}, spans=item.spans)
             point = base
 
 
@@ -253,7 +252,7 @@ def arms(machine: Machine) -> Iterator[Shape]:
         ends = frozenset(map(machine.spelled, (parent, own)))
         if lengths.min() > HELD and held and ends not in known:
             known.add(ends)
-            yield between("rope", f"to {item.name}", parent, own, item.spans)
+            yield Shape(kind="rope", name=f"to {item.name}", numbers={"at": parent, "to": own}, spans=item.spans)
 
 
 def _written(flat: fm.FlatModel) -> Iterator[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame, sum_of
 from lagdsl.derivation.scene.looks import CLEAR, RIM, ball, wheel
 from lagdsl.derivation.scene.machine import HELD, Machine, anchors_of, constant, fixed, in_axes, number
-from lagdsl.derivation.scene.shapes import Numbers, Part, Shape, Size, between
+from lagdsl.derivation.scene.shapes import Numbers, Part, Shape, Size
 from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
@@ -137,7 +137,8 @@ def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
         for name in sorted(machine.frames_in(center)):
             own = fx.FrameOrigin(name)
             if (drawing.spans[1:], name) in frames and np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
-                yield between("rope", "to the mass center", own, center, drawing.spans)
+                ends = {"at": own, "to": center}
+                yield Shape(kind="rope", name="to the mass center", numbers=ends, spans=drawing.spans)
 
 
 def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:

@@ -30,7 +30,9 @@ class Posed:
         values = [np.ravel(self.value(each)) for each in self.part.read() if not isinstance(each, tuple)]
         if not np.isfinite(np.concatenate([np.zeros(0), *values])).all():
             return False
-        return not self.has("at") or self._shown() > (_SHORTEST * self.stage.length if self.part.scale else 0.0)
+        return "at" not in self.part.numbers or self._shown() > (
+            _SHORTEST * self.stage.length if self.part.scale else 0.0
+        )
 
     def _shown(self) -> float:
         """The length of the axis, in the picture if it has another unit."""
@@ -38,12 +40,9 @@ class Posed:
 
     def way(self) -> Floats:
         """The axis: to the other end, along z."""
-        if self.has("to"):
+        if "to" in self.part.numbers:
             return np.asarray(self.vector("to") - self.vector("at"))
-        return self.vector("z") if self.has("z") else np.array([0.0, 0.0, 1.0])
-
-    def has(self, role: str) -> bool:
-        return role in self.part.numbers
+        return self.vector("z") if "z" in self.part.numbers else np.array([0.0, 0.0, 1.0])
 
     def value(self, value: Value) -> Floats:
         return self.stage.scene.values(self.stage.rows[self.row], value)
@@ -64,11 +63,11 @@ class Posed:
         sizes = [self.size(size) for size in part.sizes]
         if part.scale:
             sizes = [own if size.relative else own * self._shown() for own, size in zip(sizes, part.sizes, strict=True)]
-        elif self.has("to"):
+        elif "to" in self.part.numbers:
             sizes[2] = self._shown()
-        x, y, z = axes_along(way, self.vector("x") if self.has("x") else None)
+        x, y, z = axes_along(way, self.vector("x") if "x" in self.part.numbers else None)
         if part.still:
-            at = self._beside(at, z, x if self.has("x") else None)
+            at = self._beside(at, z, x if "x" in self.part.numbers else None)
         return matrix_of(x * sizes[0], y * sizes[1], z * sizes[2], at + part.offset * self.stage.length * z)
 
     def _beside(self, at: Floats, z: Floats, x: Floats | None) -> Floats:

@@ -158,9 +158,5 @@ def is_vector(expression: fx.FlatExpression) -> bool:
             return False
 
 
-def between(kind: ShapeKind, name: str, a: fx.FlatExpression, b: fx.FlatExpression, spans: Spans) -> Shape:
-    return Shape(kind=kind, name=name, numbers={"at": a, "to": b}, spans=spans)
-
-
 def acting(kind: ShapeKind, name: str, at: fx.FlatExpression, vector: fx.FlatExpression, spans: Spans) -> Shape:
     return Shape(kind=kind, name=name, numbers={"at": at, "vector": vector}, spans=spans)

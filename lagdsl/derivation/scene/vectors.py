@@ -28,10 +28,7 @@ MOST_POINTS = 24
 
 _MOST_MOTIONS = 200
 _AXES = tuple(fx.Vector(*(fx.Number(float(axis == k)) for k in range(3))) for axis in range(3))
-_OF_JOINTS: tuple[tuple[ShapeKind, Literal["force", "torque"]], ...] = (
-    ("reaction", "force"),
-    ("reaction torque", "torque"),
-)
+_OF_JOINTS: dict[ShapeKind, Literal["force", "torque"]] = {"reaction": "force", "reaction torque": "torque"}
 
 
 @record()
@@ -94,7 +91,7 @@ def _reactions(flat: fm.FlatModel) -> Iterator[Shape]:
         moving = (name for name in bodies if coordinates & set(dependence.of(fx.FrameAxis(name, 0))))
         carried += [(name, name, bodies[name]) for name in moving]
     for name, frame, spans in carried[:MOST_POINTS]:
-        for kind, what in _OF_JOINTS:
+        for kind, what in _OF_JOINTS.items():
             reaction = fx.FrameReaction(frame, what)
             yield acting(kind, f"reaction({name}).{what}", fx.FrameOrigin(frame), reaction, spans)
     points = {item.position.name: item.spans for item in flat.masses if isinstance(item.position, fx.PointReference)}

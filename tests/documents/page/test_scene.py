@@ -328,7 +328,7 @@ def test_symbols_and_wires_of_a_circuit_meet_and_do_not_lie_on_each_other() -> N
         "Resistor c(R = 1 Ohm), d(R = 1 Ohm); Inductor l(L = 1 H); connect(s.p, a.p, b.p); connect(a.n, c.p, l.p);"
         "connect(b.n, d.p, l.n); connect(s.n, c.n, d.n, e.p);"
     )
-    strokes = [each for each in found if each.has("to")]
+    strokes = [each for each in found if "to" in each.part.numbers]
     ends = [{tuple(np.round(each.vector(role), 9)) for role in ("at", "to")} for each in strokes]
     symbols = [k for k, each in enumerate(strokes) if each.part.form not in ("beam", "earth")]
     middles = {tuple(np.round(strokes[k].vector("at") + strokes[k].vector("to"), 9)) for k in symbols}

@@ -39,6 +39,9 @@ class Drawn:
     figure: Figure
     axes: Axes
 
+    def at(self, row: int) -> Drawn:
+        return self if self.steps is None else replace(self, view=self.view.beside(self.steps[row]), steps=None)
+
 
 def prepared(stage: Stage, title: str = "", *, follow: bool = False) -> Drawn:
     """An empty picture; its view may `follow` the machine. Raises ModuleNotFoundError without Matplotlib."""
@@ -55,8 +58,7 @@ def prepared(stage: Stage, title: str = "", *, follow: bool = False) -> Drawn:
 
 def draw(picture: Drawn, row: int, ghosts: Sequence[int] = (), caption: str = "") -> None:
     """Show the machine at a row of its motion, and pale at others."""
-    if picture.steps is not None:
-        picture = replace(picture, view=picture.view.beside(picture.steps[row]))
+    picture = picture.at(row)
     axes, view, stage = picture.axes, picture.view, picture.stage
     axes.clear()
     axes.set_axis_off()

@@ -80,7 +80,9 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     stage = stage_of(scene, row, up_of(flat, planar=scene.planar))
     sheet = _Sheet(lambda point: np.asarray(stage.turn[:2] @ point))
     _parts(sheet, stage)
-    _masses(sheet, found)
+    points = len(flat.masses)
+    for k, place in found.places:
+        sheet.add([place], partial(Ball, radius=5.0 if k < points else 6.0, hollow=k >= points))
     spread = np.ptp([each for seen, _ in sheet.marks for each in seen], axis=0)
     sheet.size = float(max(spread)) or 1.0
     if drawn.in_full:
@@ -109,7 +111,7 @@ def _parts(sheet: _Sheet, stage: Stage) -> None:
             elif part.form in _STANDS:
                 x, place = posed.matrix()[:3, 0], posed.matrix()[:3, 3]
                 sheet.stroke([place - x, place + x], "ground")
-            elif posed.has("to") and shape.kind in _LINES:
+            elif "to" in part.numbers and shape.kind in _LINES:
                 sheet.stroke([posed.vector("at"), posed.vector("to")], _LINES[shape.kind])
             else:
                 for points in outlines(part.form, posed.matrix(), sheet.project):
@@ -132,12 +134,6 @@ def _pieces(form: str) -> list[Floats]:
     np.put_along_axis(touched, mesh.corners, True, axis=1)
     labels = connected_blocks(sparse(touched)).column_labels
     return [mesh.points[labels == k] for k in np.unique(labels)]
-
-
-def _masses(sheet: _Sheet, found: Pose) -> None:
-    points = len(found.flat.masses)
-    for k, place in found.places:
-        sheet.add([place], partial(Ball, radius=5.0 if k < points else 6.0, hollow=k >= points))
 
 
 def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
