@@ -19,7 +19,7 @@ from PIL import Image, ImageDraw
 
 from lagdsl.documents.page.page import page
 from lagdsl.documents.plot.picture.draw import draw, prepared, save_picture
-from lagdsl.documents.plot.picture.recording import record_motion, staged
+from lagdsl.documents.plot.picture.recording import prepare, recorded, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.motion.pipeline import flatten_file, read
@@ -44,7 +44,7 @@ def views(name: str, browser: Any) -> Iterator[Image.Image]:
     flat = None if file is None else flatten_file(file, sink)
     if file is None or flat is None:
         raise SystemExit("\n".join(f"{name}: {d.code} {d.message}" for d in sink.diagnostics))
-    made = record_motion(flat, Wishes(), 201)
+    made = recorded(prepare(flat), Wishes(), 201)
     picture = prepared(staged(flat, made.scene, [made.motion]))
     draw(picture, 0)
     with tempfile.TemporaryDirectory() as folder:

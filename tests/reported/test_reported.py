@@ -22,9 +22,8 @@ from fmi.texts import export_text
 
 import lagdsl
 from lagdsl.derivation.scene.stage import stage_of
-from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.recording import prepare, recorded
-from lagdsl.documents.plot.picture.shapes import parts_of
+from lagdsl.documents.plot.picture.shapes import Faces, parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.engines.runtime.engines.engine import EngineName
 from lagdsl.exchange.fmi.variables.ports import Ports

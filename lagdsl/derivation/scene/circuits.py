@@ -16,8 +16,8 @@ from itertools import count, pairwise
 import numpy as np
 
 from lagdsl.derivation.scene.looks import COLORS, arrow
-from lagdsl.derivation.scene.machine import Machine, evaluator_at, fixed, movers_of, number
-from lagdsl.derivation.scene.shapes import Part, Scene, Shape, Size
+from lagdsl.derivation.scene.machine import Machine, fixed, number
+from lagdsl.derivation.scene.shapes import Numbers, Part, Scene, Shape, Size
 from lagdsl.derivation.scene.stage import first_sight, places_of
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -76,26 +76,25 @@ def circuits(machine: Machine, scene: Scene, up: Floats) -> Iterator[Shape]:
     origin = middle + (left - own - width * cell) * right + (low - high) * up
 
     @cache
-    def column(x: float, y: float) -> int:
-        return machine.columns.vector(fixed(origin + cell * (x * right + y * up)))
+    def place(x: float, y: float) -> fx.FlatExpression:
+        return fixed(origin + cell * (x * right + y * up))
 
     thin, one = Size(_WIRE * cell, None, False), Size(cell, None, False)
-    across = machine.columns.vector(fixed(-up)), machine.columns.vector(fixed(right))
+    across = fixed(-up), fixed(right)
     for charge in machine.flat.coordinates:
         parts: list[Part] = []
-        numbers: tuple[tuple[str, int], ...] = ()
+        numbers: Numbers = {}
         for each in (stroke for stroke in strokes if stroke.charge == charge.name):
-            ends = (("at", column(*each.start)), ("to", column(*each.end)))
             stands = each.start[0] == each.end[0]
             form, sizes = (each.symbol, (one, one, one)) if each.symbol else ("beam", (thin, thin, Size(1.0)))
-            parts.append(Part(form=form, numbers=(*ends, ("x", across[stands])), sizes=sizes))
+            ends = {"at": place(*each.start), "to": place(*each.end), "x": across[stands]}
+            parts.append(Part(form=form, numbers=ends, sizes=sizes))
             if each.sense and not numbers:
                 x, y = np.add(each.start, (-0.35, 0.5) if stands else (0.5, 0.3))
                 way = fixed(each.sense * (up if stands else right))
                 current = fx.Binary("*", fx.Derivative(fx.Variable(charge.name)), way)
-                place, along = column(x, y), machine.columns.vector(current)
-                numbers = (("at", place), ("vector", along))
-                parts.append(replace(arrow((("at", place), ("z", along)), "current"), color=COLORS["arrow"]))
+                numbers = {"at": place(x, y), "vector": current}
+                parts.append(replace(arrow({"at": place(x, y), "z": current}, "current"), color=COLORS["arrow"]))
         if parts:
             yield Shape(kind="branch", name=charge.name, numbers=numbers, parts=tuple(parts), spans=charge.spans)
 
@@ -108,7 +107,7 @@ def _edges(machine: Machine) -> list[_Edge]:
     new, grounded = count(len(rows)), {_EARTH}
     found: list[_Edge] = []
     for charge in (each for each in flat.coordinates if each.dimension == CHARGE):
-        at = evaluator_at(flat, 0, {charge.name: 1.0})
+        at = machine.at(0, {charge.name: 1.0})
         currents = np.array([number(at, row) for row in rows])
         tails, heads = (np.flatnonzero(sign * currents > 0.0).tolist() for sign in (1.0, -1.0))
         symbols = _symbols(machine, charge.name)
@@ -125,11 +124,11 @@ def _edges(machine: Machine) -> list[_Edge]:
 
 def _symbols(machine: Machine, charge: str) -> list[str]:
     flat = machine.flat
-    found = {_SYMBOLS[each.kind] for each in flat.energies if charge in movers_of(machine, each.value)}
+    found = {_SYMBOLS[each.kind] for each in flat.energies if charge in machine.movers_of(each.value)}
     if any(isinstance(each, fm.GeneralizedForce) and each.target == fx.Variable(charge) for each in flat.loads):
         found.add("voltage source")
     laws = (row for each in flat.constraints if not (each.node or each.of_law) for row in each.residuals)
-    if any(charge in movers_of(machine, row) for row in laws):
+    if any(charge in machine.movers_of(row) for row in laws):
         found.add("current source")
     return sorted(found, key=_ORDER.index)
 
@@ -140,12 +139,9 @@ def _laid_out(edges: list[_Edge]) -> list[_Stroke]:
     found: list[_Stroke] = []
     x = 0.0
     while edges:
-        nodes = set(edges[0].ends)
-        while more := {node for each in edges if nodes & set(each.ends) for node in each.ends} - nodes:
-            nodes |= more
-        part = [each for each in edges if nodes & set(each.ends)]
-        edges = [each for each in edges if not nodes & set(each.ends)]
-        x = _lay(part, x, found)
+        nodes = {edges[0].ends[0], *_along(edges, edges[0].ends[0])}
+        x = _lay([each for each in edges if each.ends[0] in nodes], x, found)
+        edges = [each for each in edges if each.ends[0] not in nodes]
     return found
 
 

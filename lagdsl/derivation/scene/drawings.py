@@ -1,25 +1,25 @@
-"""Shapes of `draw` statements."""
+"""Shapes of `draw` statements, and the triangles of files beside their texts."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
+from pathlib import Path
 from typing import cast
 
-from lagdsl.derivation.scene.shapes import Columns, Shape, ShapeKind
+from lagdsl.derivation.scene.shapes import Numbers, Shape, ShapeKind
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.meshes.files import place_of, read_mesh
+from lagdsl.foundation.meshes.triangles import MeshError, Triangles
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.semantics.items.shapes import KINDS
 
-_AXES = ("x", "y", "z")
-_VECTORS = (
-    *(fx.Vector, fx.PointReference, fx.FrameOrigin, fx.FrameAxis, fx.AngularVelocity, fx.MaterialVelocity),
-    *(fx.Cross, fx.LinearMomentum, fx.AngularMomentum, fx.FrameReaction, fx.AdmissibleMotion),
-)
-
-
 _SYMBOLS = frozenset({"rod", "cylinder", "box", "sphere", "circle"})
 _SIZES = frozenset(role for role, kind in KINDS.items() if kind in ("length", "three lengths"))
+
+# Triangles of a file, and of all.
+_MOST, _MOST_TOGETHER = 6_000, 60_000
 
 
 def is_symbol(drawing: fm.Drawing) -> bool:
@@ -33,35 +33,27 @@ def is_mass_centre(drawing: fm.Drawing) -> bool:
     return is_symbol(drawing) and drawing.shape in ("sphere", "circle") and drawing.place == "at"
 
 
-def drawn(drawing: fm.Drawing, columns: Columns) -> Shape:
-    """The shape of one statement."""
-    numbers, texts = dict(placed(drawing.anchors, columns)), {}
+def drawn(drawing: fm.Drawing) -> Shape:
+    """The shape of one statement: `at` a point, `on` a frame, `between` two points."""
+    numbers, texts = dict[str, fx.FlatExpression](), dict[str, str]()
+    for end, anchor in zip(("at", "to"), drawing.anchors, strict=False):
+        numbers |= on_frame(anchor) if isinstance(anchor, str) else {end: anchor}
     for role, value in drawing.arguments:
         if isinstance(value, str):
             texts[role] = value
         elif role == "teeth" and isinstance(value, fx.Number):
             texts[role] = f"{value.value:.0f}"
-        elif role == "axis":
-            numbers[role] = columns.vector(_in_world(value, drawing.anchors[0]))
-        elif is_vector(value):
-            numbers["scales" if role == "scale" else role] = columns.vector(value)
         else:
-            numbers[role] = columns.scalar(value)
-    return Shape(
-        kind=cast(ShapeKind, drawing.shape),
-        name=drawing.spans[0].text,
-        numbers=tuple(numbers.items()),
-        texts=tuple(texts.items()),
-        spans=drawing.spans,
-    )
+            numbers[role] = _in_world(value, drawing.anchors[0]) if role == "axis" else value
+    kind = cast(ShapeKind, drawing.shape)
+    return Shape(kind=kind, name=drawing.spans[0].text, numbers=numbers, texts=texts, spans=drawing.spans)
 
 
 def _in_world(axis: fx.FlatExpression, anchor: fx.FlatExpression | str) -> fx.FlatExpression:
     """The direction that a vector has whose components are those along the axes of the frame of a shape."""
     if not isinstance(anchor, str) or anchor == "world":
         return axis
-    parts = tuple(fx.Component(axis, k) for k in range(3))
-    return along_axes(anchor, parts)
+    return along_axes(anchor, tuple(fx.Component(axis, k) for k in range(3)))
 
 
 def along_axes(frame: str, parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression:
@@ -80,33 +72,32 @@ def mass_centre(body: fm.RigidBody) -> fx.FlatExpression:
     return origin if set(body.com) <= {fx.ZERO} else fx.Binary("+", origin, along_axes(body.frame, body.com))
 
 
-def placed(anchors: tuple[fx.FlatExpression | str, ...], columns: Columns) -> list[tuple[str, int]]:
-    """Columns of the place of a shape: `at` a point, `on` a frame, `between` two points."""
-    found: list[tuple[str, int]] = []
-    for role, anchor in zip(("at", "to"), anchors, strict=False):
-        if isinstance(anchor, str):
-            found += on_frame(anchor, columns)
-        else:
-            found.append((role, columns.vector(anchor)))
+def on_frame(frame: str) -> Numbers:
+    """Origin and axes."""
+    return {"at": fx.FrameOrigin(frame), **{name: fx.FrameAxis(frame, axis) for axis, name in enumerate("xyz")}}
+
+
+def meshes_of(shapes: Sequence[Shape], sink: Sink | None = None) -> dict[int, Triangles]:
+    """The triangles of shapes, by their places among them; equal files have the same object.
+
+    At most 6000 triangles of a file, and 60 000 of all. A shape whose file cannot be drawn has none: W0351 where its
+    contents are the reason. A file that is not there has been told when its statement was checked.
+    """
+    files = {k: file for k, shape in enumerate(shapes) if (file := _file_of(shape)) is not None}
+    most = min(_MOST, _MOST_TOGETHER // max(len(set(files.values())), 1))
+    found: dict[int, Triangles] = {}
+    for k, file in files.items():
+        try:
+            found[k] = read_mesh(file, most)
+        except MeshError as fault:
+            if sink is not None:
+                sink.report("W0351", shapes[k].spans[0], file=shapes[k].texts["file"], reason=str(fault))
     return found
 
 
-def on_frame(frame: str, columns: Columns) -> list[tuple[str, int]]:
-    """Origin and axes."""
-    axes = [(_AXES[axis], columns.vector(fx.FrameAxis(frame, axis))) for axis in range(3)]
-    return [("at", columns.vector(fx.FrameOrigin(frame))), *axes]
-
-
-def is_vector(expression: fx.FlatExpression) -> bool:
-    """Is it a geometric vector?"""
-    while True:
-        if isinstance(expression, _VECTORS):
-            return True
-        if isinstance(expression, fx.Derivative | fx.Unary):
-            expression = expression.operand
-        elif isinstance(expression, fx.Binary):  # the vector of a product stands on the right
-            expression = expression.right if expression.operator == "*" else expression.left
-        elif isinstance(expression, fx.Conditional):
-            expression = expression.value
-        else:
-            return False
+def _file_of(shape: Shape) -> Path | None:
+    name = shape.texts.get("file")
+    try:
+        return None if shape.kind != "mesh" or name is None else place_of(name, shape.spans[0].file.folder)
+    except MeshError:
+        return None

@@ -9,30 +9,11 @@ from itertools import combinations
 import numpy as np
 
 from lagdsl.derivation.scene.looks import COLORS, parts_of
-from lagdsl.derivation.scene.machine import (
-    HELD,
-    WORLD,
-    Machine,
-    anchors_of,
-    constant,
-    directional_derivatives,
-    evaluator_at,
-    fixed,
-    frames_in,
-    movers_of,
-    number,
-    numbers,
-    places,
-    points_of,
-    slides,
-    straight,
-    vector,
-)
-from lagdsl.derivation.scene.shapes import Columns, Part, Shape, ShapeKind
+from lagdsl.derivation.scene.machine import HELD, WORLD, Machine, anchors_of, constant, fixed, number, vector
+from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
-from lagdsl.language.flat.quantity import Spans
 from lagdsl.language.flat.traversal import postorder, substituted
 
 _STEP = 1e-3
@@ -60,7 +41,8 @@ def springs(machine: Machine) -> Iterator[Shape]:
             for ends in pairs or _ends_by_numbers(machine, part, kind):
                 if (kind, ends) not in seen:
                     seen.add((kind, ends))
-                    link = between(kind, term.label or kind, *ends, term.spans, machine.columns)
+                    numbers = dict(zip(("at", "to"), ends, strict=True))
+                    link = Shape(kind=kind, name=term.label or kind, numbers=numbers, spans=term.spans)
                     yield replace(link, parts=_with_wall(machine, link, ends))
 
 
@@ -68,9 +50,8 @@ def _with_wall(machine: Machine, link: Shape, ends: Ends) -> tuple[Part, ...]:
     """A link with a hatched wall across it, at an end that stands still while the other one slides on a line."""
     parts = tuple(parts_of(link, planar=False))
     for still, other, role in ((*ends, "at"), (*ends[::-1], "to")):
-        if constant(places(machine, still)) and straight(machine, other) is not None:
-            way = machine.columns.vector(fx.Binary("-", other, still))
-            numbers = (("at", dict(link.numbers)[role]), ("z", way))
+        if constant(machine.places(still)) and machine.straight(other) is not None:
+            numbers = {"at": link.numbers[role], "z": fx.Binary("-", other, still)}
             return (*parts, Part(form="wall", numbers=numbers, color=COLORS["ground"]))
     return parts
 
@@ -82,7 +63,7 @@ def _summands(machine: Machine, value: fx.FlatExpression) -> Iterator[fx.FlatExp
     elif isinstance(value, fx.Binary) and value.operator in {"+", "-"}:
         yield from _summands(machine, value.left)
         yield from _summands(machine, value.right)
-    elif isinstance(value, fx.Binary) and value.operator == "*" and not movers_of(machine, value.left):
+    elif isinstance(value, fx.Binary) and value.operator == "*" and not machine.movers_of(value.left):
         yield from _summands(machine, value.right)
     else:
         yield value
@@ -93,12 +74,12 @@ def _gradient(
 ) -> Floats:
     """dV/dq at a position by the coordinates in the order of their names; of a dissipation c s^2/2 in the rates the
     direction in which the slip s grows."""
-    names = sorted(movers_of(machine, value))
+    names = sorted(machine.movers_of(value))
     if kind == "spring":
-        return directional_derivatives(machine.flat, value, names, seed, moved)
+        return machine.derivatives(value, names, seed, moved)
 
     def power(rates: Mapping[str, float]) -> float:
-        return number(evaluator_at(machine.flat, seed, rates, moved), value)
+        return number(machine.at(seed, rates, moved), value)
 
     own = np.array([power({n: 1.0}) for n in names])
     first = names[int(np.argmax(own))]
@@ -107,7 +88,7 @@ def _gradient(
 
 
 def _ends_by_numbers(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> list[Ends]:
-    names = sorted(movers_of(machine, value))
+    names = sorted(machine.movers_of(value))
     if len(names) == 1:
         return _from_wall(machine, value, kind, names[0])
     ends = _by_distance(machine, value, kind) if names else []
@@ -116,13 +97,13 @@ def _ends_by_numbers(machine: Machine, value: fx.FlatExpression, kind: ShapeKind
 
 def _by_distance(machine: Machine, value: fx.FlatExpression, kind: ShapeKind) -> list[Ends]:
     """Two points on whose distance alone a value depends."""
-    names = movers_of(machine, value)
+    names = machine.movers_of(value)
     gradients = [_gradient(machine, value, kind, seed, {}) for seed in (0, 1)]
     if not all(np.isfinite(each).all() and np.any(each) for each in gradients):
         return []
-    moving = [each for each in points_of(machine.flat)[:_MOST_POINTS] if movers_of(machine, each)]
+    moving = [each for each in machine.points[:_MOST_POINTS] if machine.movers_of(each)]
     for a, b in combinations([WORLD, *moving], 2):
-        if movers_of(machine, a) | movers_of(machine, b) == names and _is_distance(machine, (a, b), gradients):
+        if machine.movers_of(a) | machine.movers_of(b) == names and _is_distance(machine, (a, b), gradients):
             return [(a, b)]
     return []
 
@@ -131,7 +112,7 @@ def _is_distance(machine: Machine, ends: Ends, gradients: list[Floats]) -> bool:
     """Do the gradients lie along those of the distance?"""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
     for seed, gradient in enumerate(gradients):
-        own = directional_derivatives(machine.flat, way, sorted(movers_of(machine, way)), seed)
+        own = machine.derivatives(way, sorted(machine.movers_of(way)), seed)
         sizes = float(np.linalg.norm(own) * np.linalg.norm(gradient))
         if not (np.isfinite(own).all() and sizes > 0.0) or abs(abs(own @ gradient) - sizes) > _PARALLEL * sizes:
             return False
@@ -141,16 +122,16 @@ def _is_distance(machine: Machine, ends: Ends, gradients: list[Floats]) -> bool:
 def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends, *, linear: bool = False) -> bool:
     """Does dV/ds grow with the distance s of the ends? With `linear` in proportion: angles have no such springs."""
     way = fx.Norm(fx.Binary("-", ends[1], ends[0]), "spring")
-    names = sorted(movers_of(machine, way))
-    along = directional_derivatives(machine.flat, way, names, 0)
+    names = sorted(machine.movers_of(way))
+    along = machine.derivatives(way, names, 0)
     if not (np.isfinite(along).all() and np.any(along)):
         return False
     lengths, forces = [], []
     for step in (0.0, _STEP, 2.0 * _STEP):
         shift = dict(zip(names, (step * along).tolist(), strict=True))
-        own = directional_derivatives(machine.flat, way, names, 0, shift)
-        lengths.append(number(evaluator_at(machine.flat, 0, moved=shift), way))
-        forces.append(float(own @ directional_derivatives(machine.flat, value, names, 0, shift)) / float(own @ own))
+        own = machine.derivatives(way, names, 0, shift)
+        lengths.append(number(machine.at(0, moved=shift), way))
+        forces.append(float(own @ machine.derivatives(value, names, 0, shift)) / float(own @ own))
     stiffness = np.diff(forces) / np.diff(lengths)
     rounding = HELD * abs(forces[0]) / (lengths[1] - lengths[0])
     return bool(stiffness[0] > rounding) and not (linear and abs(np.ptp(stiffness)) > _PARALLEL * stiffness[0])
@@ -158,7 +139,7 @@ def _stiff(machine: Machine, value: fx.FlatExpression, ends: Ends, *, linear: bo
 
 def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name: str) -> list[Ends]:
     """From the place where the spring has no length, or from a wall on the side where nothing else is."""
-    sliding, at = list(slides(machine)), machine.positions[0]
+    sliding, at = list(machine.slides()), machine.positions[0]
     found = next(((point, move) for point, own, move in sliding if own == name), None)
     if found is None:
         return []
@@ -185,14 +166,7 @@ def _from_wall(machine: Machine, value: fx.FlatExpression, kind: ShapeKind, name
 
 def _at_zero(machine: Machine, point: fx.FlatExpression, names: Iterable[str]) -> fx.FlatExpression:
     """The place of a point while coordinates are zero."""
-    return substituted(machine_position(machine, point), dict.fromkeys(names, fx.ZERO))
-
-
-def machine_position(machine: Machine, point: fx.FlatExpression) -> fx.FlatExpression:
-    """A point by coordinates and parameters, as far as it has a name."""
-    if isinstance(point, fx.PointReference) and isinstance(item := machine.named[point.name], fm.Point):
-        return item.position
-    return point
+    return substituted(machine.position_of(point), dict.fromkeys(names, fx.ZERO))
 
 
 def ropes(machine: Machine) -> Iterator[Shape]:
@@ -202,24 +176,21 @@ def ropes(machine: Machine) -> Iterator[Shape]:
             continue
         for residual in constraint.residuals:
             pairs = list(_distances(residual, machine.named))
-            if not pairs and len(movers_of(machine, residual)) > 1:
+            if not pairs and len(machine.movers_of(residual)) > 1:
                 pairs = _by_distance(machine, residual, "spring")
-            for a, b in pairs:
-                if not (_is_on_circle(machine, a, b, residual) or _is_on_circle(machine, b, a, residual)):
-                    yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
-            for a, b in _hanging(machine, residual):
-                yield between("rope", constraint.name, a, b, constraint.spans, machine.columns)
+            on_wire = [p for p in pairs if any(_is_on_circle(machine, *each, residual) for each in (p, p[::-1]))]
+            for a, b in (*(each for each in pairs if each not in on_wire), *_hanging(machine, residual)):
+                yield Shape(kind="rope", name=constraint.name, numbers={"at": a, "to": b}, spans=constraint.spans)
 
 
 def _hanging(machine: Machine, residual: fx.FlatExpression) -> list[Ends]:
     """Ropes of masses that slide along gravity and are tied to each other: each from where its coordinate is zero."""
-    names = movers_of(machine, residual)
-    tied = [(point, move) for point, name, move in slides(machine) if name in names] if machine.down is not None else []
-    if machine.down is None or len(names) < 2 or len(tied) < len(names):
+    if machine.down is None:
         return []
-    if any(np.linalg.norm(np.cross(move, machine.down)) > HELD for _, move in tied):
-        return []
-    return [(_at_zero(machine, point, names), point) for point, _ in tied]
+    names = machine.movers_of(residual)
+    tied = [(point, move) for point, name, move in machine.slides() if name in names]
+    falls = all(np.linalg.norm(np.cross(move, machine.down)) <= HELD for _, move in tied)
+    return [(_at_zero(machine, point, names), point) for point, _ in tied if falls and len(tied) >= len(names) > 1]
 
 
 def rods(machine: Machine) -> Iterator[Shape]:
@@ -229,10 +200,10 @@ def rods(machine: Machine) -> Iterator[Shape]:
         point = item.position
         while point not in done and point not in machine.reached and not machine.is_drawn(item.spans):
             done.add(point)
-            base = _base(point, machine.named)
+            base = _base(machine.position_of(point))
             if base is None or not _is_held(machine, point, base) or _is_on_circle(machine, point, base):
                 break
-            yield between("rod", "massless rod", base, point, item.spans, machine.columns)
+            yield Shape(kind="rod", name="massless rod", numbers={"at": base, "to": point}, spans=item.spans)
             point = base
 
 
@@ -247,13 +218,13 @@ def _is_on_circle(
         if drawing.shape != "circle" or radius is None or isinstance(radius, str):
             continue
         [anchor] = anchors_of(drawing)
-        if not np.abs(places(machine, anchor) - places(machine, center)).max() <= HELD:
+        if not np.abs(machine.places(anchor) - machine.places(center)).max() <= HELD:
             continue
-        d, r = numbers(machine, way), numbers(machine, radius)
+        d, r = machine.numbers(way), machine.numbers(radius)
         if residual is None:
             laws = [d - r]
         else:
-            held = numbers(machine, residual)
+            held = machine.numbers(residual)
             laws = [held * each[0] - held[0] * each for each in (d - r, d**2 - r**2)]
         if any(np.abs(law).max() <= HELD for law in laws):
             return True
@@ -266,7 +237,7 @@ def arms(machine: Machine) -> Iterator[Shape]:
     belongs to its shape, and has none; nor has a frame between whose points the same text draws."""
     written = set(_written(machine.flat))
     lines = [each for each in machine.flat.drawings if each.place == "between"]
-    joined = {(name, each.spans[1:]) for each in lines for end in anchors_of(each) for name in frames_in(machine, end)}
+    joined = {(name, each.spans[1:]) for each in lines for end in anchors_of(each) for name in machine.frames_in(end)}
     known = {frozenset(map(machine.spelled, anchors_of(each))) for each in lines}
     for item in machine.flat.named:
         if not isinstance(item, fm.Frame) or item.image is not None or item.name in written:
@@ -274,13 +245,14 @@ def arms(machine: Machine) -> Iterator[Shape]:
         if {(item.name, item.spans[1:]), (item.parent, item.spans[1:])} & joined:
             continue
         parent, own = fx.FrameOrigin(item.parent), fx.FrameOrigin(item.name)
-        lengths = np.linalg.norm(places(machine, own) - places(machine, parent), axis=1)
-        moves = movers_of(machine, parent) | movers_of(machine, fx.FrameAxis(item.parent, 0))
-        held = np.ptp(lengths) <= HELD * lengths.max() or (moves and not _is_placed(item))
+        lengths = np.linalg.norm(machine.places(own) - machine.places(parent), axis=1)
+        moves = machine.movers_of(parent) | machine.movers_of(fx.FrameAxis(item.parent, 0))
+        placed = any(isinstance(step, fm.Place) for step in item.steps)
+        held = np.ptp(lengths) <= HELD * lengths.max() or (moves and not placed)
         ends = frozenset(map(machine.spelled, (parent, own)))
         if lengths.min() > HELD and held and ends not in known:
             known.add(ends)
-            yield between("rope", f"to {item.name}", parent, own, item.spans, machine.columns)
+            yield Shape(kind="rope", name=f"to {item.name}", numbers={"at": parent, "to": own}, spans=item.spans)
 
 
 def _written(flat: fm.FlatModel) -> Iterator[str]:
@@ -293,18 +265,6 @@ def _written(flat: fm.FlatModel) -> Iterator[str]:
                 part = frames[anchor]
                 if part.file == whole.file and whole.start <= part.start and part.end <= whole.end:
                     yield anchor
-
-
-def _is_placed(frame: fm.Frame) -> bool:
-    """Does its origin stand at a position of its own, whatever frame its axes are built on?"""
-    return any(isinstance(step, fm.Place) for step in frame.steps)
-
-
-def between(
-    kind: ShapeKind, name: str, a: fx.FlatExpression, b: fx.FlatExpression, spans: Spans, columns: Columns
-) -> Shape:
-    numbers = (("at", columns.vector(a)), ("to", columns.vector(b)))
-    return Shape(kind=kind, name=name, numbers=numbers, spans=spans)
 
 
 def _distances(expression: fx.FlatExpression, named: Mapping[str, fm.Named]) -> Iterator[Ends]:
@@ -326,12 +286,8 @@ def _distances(expression: fx.FlatExpression, named: Mapping[str, fm.Named]) -> 
                     waiting.append(item.value)
 
 
-def _base(point: fx.FlatExpression, named: Mapping[str, fm.Named]) -> fx.FlatExpression | None:
+def _base(point: fx.FlatExpression) -> fx.FlatExpression | None:
     """The point that another one is built on: `A` of `A + r`; the origin of the world for a position of its own."""
-    if isinstance(point, fx.PointReference):
-        item = named[point.name]
-        assert isinstance(item, fm.Point)
-        point = item.position
     if isinstance(point, fx.PointReference | fx.FrameOrigin):
         return None
     if isinstance(point, fx.Binary) and isinstance(point.left, fx.PointReference | fx.FrameOrigin):
@@ -341,7 +297,7 @@ def _base(point: fx.FlatExpression, named: Mapping[str, fm.Named]) -> fx.FlatExp
 
 def _is_held(machine: Machine, a: fx.FlatExpression, b: fx.FlatExpression) -> bool:
     """Is their distance the same, and not zero, at all positions, though the point moves?"""
-    one, other = places(machine, a), places(machine, b)
+    one, other = machine.places(a), machine.places(b)
     lengths = np.linalg.norm(one - other, axis=1)
     moves = np.ptp(one, axis=0).max() > HELD
     return bool(moves and lengths.min() > 0.0 and np.ptp(lengths) <= HELD * lengths.max())

@@ -11,9 +11,9 @@ from lagdsl.derivation.scene.circuits import circuits
 from lagdsl.derivation.scene.drawings import drawn, is_mass_centre, is_symbol
 from lagdsl.derivation.scene.links import arms, rods, ropes, springs
 from lagdsl.derivation.scene.looks import dressed
-from lagdsl.derivation.scene.machine import machine_of
+from lagdsl.derivation.scene.machine import Machine
 from lagdsl.derivation.scene.masses import bodies, have_inertia, levers, masses
-from lagdsl.derivation.scene.shapes import Columns, Scene
+from lagdsl.derivation.scene.shapes import Scene, scene_with
 from lagdsl.derivation.scene.surroundings import frames, gauges, grounds, is_planar, loads, supports, tracks
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import DIMENSIONLESS, TIME
@@ -55,7 +55,6 @@ def with_scene(flat: fm.FlatModel, scene: Scene, starts: Collection[str] = ()) -
 def scene_of(flat: fm.FlatModel) -> Scene:
     """Shapes of the drawings, then those that the rules add. Meshes show the links themselves: symbols of joints and
     massless arms would stand in them. The ellipsoid of inertia says more than the symbol of a mass centre."""
-    columns = Columns()
     has_meshes = any(drawing.shape == "mesh" for drawing in flat.drawings)
     centres = [] if has_meshes else [drawing for drawing in flat.drawings if is_mass_centre(drawing)]
     if has_meshes:
@@ -64,19 +63,19 @@ def scene_of(flat: fm.FlatModel) -> Scene:
         ellipsoids = have_inertia(flat)
         seen = [each for each in flat.drawings if not (each in centres and each.spans[1:] in ellipsoids)]
         flat = replace(flat, drawings=tuple(seen))
-    machine = machine_of(flat, columns)
-    shapes = [drawn(each, columns) for each in seen if not is_symbol(each) or not machine.is_hidden(each)]
+    machine = Machine(flat)
+    shapes = [drawn(each) for each in seen if not is_symbol(each) or not machine.is_hidden(each)]
     shapes += levers(machine, centres)
-    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, tracks, loads, gauges, frames):
+    for rule in (masses, bodies, springs, ropes, rods, arms, grounds, tracks, loads):
         if not (has_meshes and rule is arms):
             shapes += rule(machine)
+    shapes += [*gauges(machine, shapes), *frames(machine)]
     planar = is_planar(machine, shapes)
     up = np.array([0.0, 1.0, 0.0] if planar else [0.0, 0.0, 1.0]) if machine.down is None else -machine.down
     solid = dressed(shapes, planar)
     solid += dressed(supports(machine, solid, up), planar)
-    scene = Scene(shapes=solid, columns=tuple(columns.expressions), planar=planar)
-    diagram = tuple(circuits(machine, scene, np.array([0.0, 1.0, 0.0]) if planar else up))
-    return Scene(shapes=(*scene.shapes, *diagram), columns=tuple(columns.expressions), planar=planar)
+    diagram = circuits(machine, scene_with(solid, planar=planar), np.array([0.0, 1.0, 0.0]) if planar else up)
+    return scene_with((*solid, *diagram), planar=planar)
 
 
 def _starts_as_parameters(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from lagdsl.derivation.scene.shapes import Part, Shape, ShapeKind, Size
+from lagdsl.derivation.scene.shapes import TOLD, Numbers, Part, Shape, ShapeKind, Size, is_vector
+from lagdsl.language.flat import expression as fx
 
 COLORS: Mapping[str, str] = {
     "spring": "#0d9488", "damper": "#7c3aed", "mass": "#2563eb", "body": "#3b82f6", "box": "#3b82f6",
@@ -28,11 +29,12 @@ HATCHED = frozenset({"ground", "rail", "wall"})
 _ONE = Size(1.0)
 _SHOWN = Size(1.0, None, False)
 _TIP, _DIRECTION = Size(0.018), Size(0.2)
-_AXIS = Size(0.006), Size(0.1)
+_AXES = {"x": "#dc2626", "y": "#16a34a", "z": "#2563eb"}
+_RADII = {"rod": 0.007, "rope": 0.004, "spring": 0.026, "sphere": 0.04, "mass": 0.04, "circle": 0.014, "cylinder": 0.03,
+          "cone": 0.06}  # fmt: skip
+_SLIM = {"cylinder": 2.4, "cone": 2.0}
+"""Lengths over radii."""
 _OF_ARROWS = (("at", "at"), ("to", "to"), ("z", "vector"))
-Numbers = Mapping[str, int]
-Place = tuple[tuple[str, int], ...]
-_ARROWS = frozenset({"force", "velocity", "acceleration", "admissible", "reaction", "constraint", "friction"})
 
 
 def sized(numbers: Numbers, role: str, otherwise: float) -> Size:
@@ -44,95 +46,94 @@ def dressed(shapes: Iterable[Shape], planar: bool) -> tuple[Shape, ...]:
     """Shapes with the parts of their kinds, where they have none of their own, all in the colors of the kinds."""
 
     def shown(part: Part, shape: Shape) -> Part:
-        color = dict(shape.texts).get("color", COLORS.get(shape.kind, OTHER)) if part.color == OTHER else part.color
+        color = shape.texts.get("color", COLORS.get(shape.kind, OTHER)) if part.color == OTHER else part.color
         if planar and part.form in HATCHED:
             return replace(part, form=f"plane {part.form}", opacity=1.0, color=color)
         return replace(part, color=color)
 
-    own = ((each, each.parts or parts_of(each, planar=planar)) for each in shapes)
-    return tuple(replace(each, parts=tuple(shown(part, each) for part in parts)) for each, parts in own)
+    found = []
+    for each in shapes:
+        parts = tuple(shown(part, each) for part in each.parts or parts_of(each, planar=planar))
+        numbers = {role: value for role, value in each.numbers.items() if role in TOLD}
+        found.append(replace(each, parts=parts, numbers=numbers))
+    return tuple(found)
 
 
 def parts_of(shape: Shape, *, planar: bool) -> list[Part]:
     """Besides those of `Part` the roles of its columns are the arguments of `draw`."""
-    found, texts = _parts(shape.kind, dict(shape.numbers), planar), dict(shape.texts)
-    return [replace(found[0], form=f"gear of {texts['teeth']}")] if "teeth" in texts else found
+    found, teeth = _parts(shape.kind, shape.numbers, planar), shape.texts.get("teeth")
+    return [replace(found[0], form=f"gear of {teeth}")] if teeth else found
 
 
 def _parts(kind: ShapeKind, numbers: Numbers, planar: bool) -> list[Part]:
     own = {**numbers, "x" if "to" in numbers else "z": numbers["axis"]} if "axis" in numbers else numbers
-    place = tuple((role, own[role]) for role in ("at", "to", "x", "z") if role in own)
+    place = {role: own[role] for role in ("at", "to", "x", "z") if role in own}
+    radius = sized(numbers, "radius", _RADII.get(kind, 0.1))
     match kind:
         case "rod" | "rope":
-            return [_round("cylinder", place, sized(numbers, "radius", 0.007 if kind == "rod" else 0.004))]
+            return [_round("cylinder", place, radius)]
         case "spring":
-            radius = sized(numbers, "radius", 0.026)
-            wire = replace(radius, factor=0.16 * radius.factor)
-            return [Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, wire))]
+            return [Part(primitive="line", form="coil", numbers=place, sizes=(radius, radius, _times(radius, 0.16)))]
         case "damper":
             return [_round("cylinder", place, Size(0.005)), _round("piston", place, Size(0.018))]
         case "box":
             return [_box(place, numbers, planar)]
         case "cylinder" | "cone" | "disc" | "gear":
-            return _turned(kind, place, numbers)
+            return _turned(kind, place, numbers, radius)
         case "sphere" | "mass":
-            return ball(place, sized(numbers, "radius", 0.04))
+            return ball(place, radius)
         case "circle":
-            form = "wire ring" if "radius" in numbers else "ring"
-            return [_even(form, place, sized(numbers, "radius", 0.014))]
+            return [_round("wire ring" if "radius" in numbers else "ring", place, radius, radius)]
         case "mesh":
             return [_scaled(place, numbers)]
         case _:
             return _marks(kind, place, numbers)
 
 
-def _marks(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
+def _marks(kind: ShapeKind, place: Numbers, numbers: Numbers) -> list[Part]:
     """Arrows, ways, names and axes; nothing for what has a value alone."""
-    if kind == "arrow" or (kind in _ARROWS and "at" in numbers):
-        way = tuple((role, numbers[name]) for role, name in _OF_ARROWS if name in numbers)
-        return [arrow(way)] if kind == "arrow" else [arrow(way, "force")]
-    if kind in ("torque", "reaction torque"):
-        turned = (("at", numbers["at"]), ("z", numbers["vector"]))
-        return [replace(_even("turning arrow", turned, _SHOWN), scale="torque")]
     if kind in ("trace", "text"):
         return [Part(primitive="trace" if kind == "trace" else "label", numbers=place)]
     if kind == "frame":
-        axes = (("x", "#dc2626"), ("y", "#16a34a"), ("z", "#2563eb"))
-        bars = ((_round("beam", (("at", numbers["at"]), ("z", numbers[axis])), *_AXIS), color) for axis, color in axes)
-        return [replace(bar, color=color) for bar, color in bars]
-    return []
+        ends = (({"at": numbers["at"], "z": numbers[axis]}, color) for axis, color in _AXES.items())
+        return [replace(_round("beam", place, Size(0.006), Size(0.1)), color=color) for place, color in ends]
+    if "at" not in numbers:
+        return []
+    way = {role: numbers[name] for role, name in _OF_ARROWS if name in numbers}
+    if kind in ("torque", "reaction torque"):
+        return [replace(_round("turning arrow", way, _SHOWN, _SHOWN), scale="torque")]
+    return [arrow(way, "" if kind == "arrow" else "force")]
 
 
-def arrow(place: Place, scale: str = "") -> Part:
+def arrow(place: Numbers, scale: str = "") -> Part:
     """To another point, along a vector as long as that is large, or of one length where it has no scale."""
     return Part(form="arrow", numbers=place, sizes=(_TIP, _TIP, _SHOWN if scale else _DIRECTION), scale=scale)
 
 
-def _even(form: str, place: Place, size: Size) -> Part:
-    return Part(form=form, numbers=place, sizes=(size, size, size))
+def _times(size: Size, factor: float) -> Size:
+    return replace(size, factor=factor * size.factor)
 
 
-def _round(form: str, place: Place, radius: Size, length: Size = _ONE) -> Part:
+def _round(form: str, place: Numbers, radius: Size, length: Size = _ONE) -> Part:
     return Part(form=form, numbers=place, sizes=(radius, radius, length))
 
 
-def ball(place: Place, radius: Size) -> list[Part]:
+def ball(place: Numbers, radius: Size) -> list[Part]:
     """Light and dark octants, as one marks a mass center: one sees it turn."""
-    across = replace(radius, factor=-radius.factor)
-    light = _even("octants", place, radius)
-    return [light, replace(light, sizes=(across, radius, radius), shade=_DARK)]
+    light = _round("octants", place, radius, radius)
+    return [light, replace(light, sizes=(_times(radius, -1.0), radius, radius), shade=_DARK)]
 
 
-def wheel(place: Place, radius: Size, width: Size) -> list[Part]:
+def wheel(place: Numbers, radius: Size, width: Size) -> list[Part]:
     """With spokes, so that one sees it turn."""
     return [replace(_round("tire", place, radius, width), color=RIM), _round("spokes", place, radius, width)]
 
 
-def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
+def _box(place: Numbers, numbers: Numbers, planar: bool) -> Part:
     """Length along x (or from A to B), width and height across; in planar pictures the height is upright. From A to B
     the width lies along an axis, if there is one."""
     width, height = sized(numbers, "width", _BOX), sized(numbers, "height", _BOX)
-    across, up = (height, width) if planar and "x" not in dict(place) else (width, height)
+    across, up = (height, width) if planar and "x" not in place else (width, height)
     if "to" in numbers:
         return Part(form="beam", numbers=place, sizes=(across, up, Size(1.0)))
     if "size" in numbers:
@@ -140,25 +141,23 @@ def _box(place: Place, numbers: Numbers, planar: bool) -> Part:
     return Part(form="cube", numbers=place, sizes=(sized(numbers, "length", _BOX), across, up))
 
 
-def _turned(kind: ShapeKind, place: Place, numbers: Numbers) -> list[Part]:
+def _turned(kind: ShapeKind, place: Numbers, numbers: Numbers, radius: Size) -> list[Part]:
     """Cylinders and discs on a frame stand about their axis, their middle at its origin, cones from there on."""
-    part, slim = {"cylinder": (0.03, 2.4), "cone": (0.06, 2.0)}.get(kind, (0.1, 0.12))
-    radius = sized(numbers, "radius", part)
     if "to" in numbers:
         return [_round("cone" if kind == "cone" else "cylinder", place, radius)]
     given = next((role for role in ("length", "height") if role in numbers), None)
-    length = replace(radius, factor=slim * radius.factor) if given is None else sized(numbers, given, 0.0)
-    if kind in ("disc", "gear"):
-        return [_round("drum", place, radius, length), replace(_round("marks", place, radius, length), color="#f8fafc")]
-    return [_round("cone" if kind == "cone" else "drum", place, radius, length)]
+    length = sized(numbers, given, 0.0) if given else _times(radius, _SLIM.get(kind, 0.12))
+    body = _round("cone" if kind == "cone" else "drum", place, radius, length)
+    return [body, replace(body, form="marks", color="#f8fafc")] if kind in ("disc", "gear") else [body]
 
 
-def _scaled(place: Place, numbers: Numbers) -> Part:
+def _scaled(place: Numbers, numbers: Numbers) -> Part:
     """Triangles of a file, in its units."""
-    one = Size(1.0, numbers.get("scale"), False)
-    return Part(form="file", numbers=place, sizes=_three(numbers["scales"]) if "scales" in numbers else (one, one, one))
+    scale = numbers.get("scale")
+    sizes = _three(scale) if scale is not None and is_vector(scale) else (Size(1.0, scale, False),) * 3
+    return Part(form="file", numbers=place, sizes=sizes)
 
 
-def _three(first: int) -> tuple[Size, Size, Size]:
-    """The lengths in three columns."""
-    return Size(1.0, first, False), Size(1.0, first + 1, False), Size(1.0, first + 2, False)
+def _three(lengths: fx.FlatExpression) -> tuple[Size, Size, Size]:
+    x, y, z = (Size(1.0, fx.Component(lengths, axis), False) for axis in range(3))
+    return x, y, z

@@ -4,33 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from operator import itemgetter
 
 import numpy as np
 
 from lagdsl.derivation.scene.drawings import along_axes, mass_centre, on_frame, sum_of
-from lagdsl.derivation.scene.links import between
-from lagdsl.derivation.scene.looks import CLEAR, RIM, Place, ball, wheel
-from lagdsl.derivation.scene.machine import (
-    HELD,
-    Machine,
-    anchors_of,
-    constant,
-    evaluator_at,
-    fixed,
-    fixed_points,
-    frames_in,
-    in_axes,
-    length_behind,
-    movers_of,
-    number,
-    places,
-    straight,
-)
-from lagdsl.derivation.scene.shapes import Part, Shape, Size
+from lagdsl.derivation.scene.looks import CLEAR, RIM, ball, wheel
+from lagdsl.derivation.scene.machine import HELD, Machine, anchors_of, constant, fixed, in_axes, number
+from lagdsl.derivation.scene.shapes import Numbers, Part, Shape, Size
 from lagdsl.foundation.numerics.hull import hull
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
+from lagdsl.language.flat.evaluate import Evaluator, Values
 from lagdsl.language.flat.quantity import Spans
 
 BALL, CART, BAR = 0.04, 0.04, 0.028
@@ -40,40 +26,41 @@ _LEAST_SHARE = 1.0 / 64.0  # of the largest mass: a ball has at least a quarter 
 _BAR_INERTIA = 1.0 / 12.0
 _THIN = 0.02  # of a side that a moment of inertia does not tell
 _PULLEY = 0.09  # radius of a wheel without a mass
+_AXES = np.eye(3)
+_ARM = (Size(0.006), Size(0.006), Size(1.0))
 _WHEEL = 0.25  # width over radius of a wheel, and of a body whose moments tell no width
 
 
 def masses(machine: Machine) -> Iterator[Shape]:
     """A ball at each point mass to which nothing is drawn; a cart for one that slides along a line across gravity."""
-    columns, at = machine.columns, machine.positions[0]
+    at = machine.positions[0]
     most = max((number(at, item.mass) for item in machine.flat.masses), default=1.0)
     rails: list[Floats] = []
     for k, item in enumerate(machine.flat.masses, 1):
         if machine.is_standing(item.position) or machine.is_drawn(item.spans):
             continue
-        place = columns.vector(item.position)
-        numbers = (("at", place),)
+        numbers = {"at": item.position}
         way = driven(machine, item.position)
         if way is not None:
-            yield _cart(machine, f"mass {k}", item.position, way, item.spans)
+            yield _cart(f"mass {k}", item.position, way, item.spans)
             yield from _rail(machine, item.position, way, rails, item.spans)
             continue
         share = fx.Binary("/", item.mass, fx.Number(most if most > 0.0 else 1.0))
         bounded = fx.Function("max", (share, fx.Number(_LEAST_SHARE)))
-        size = Size(BALL, columns.scalar(fx.Binary("^", bounded, fx.Number(1.0 / 3.0))))
+        size = Size(BALL, fx.Binary("^", bounded, fx.Number(1.0 / 3.0)))
         yield Shape(kind="mass", name=f"mass {k}", numbers=numbers, parts=tuple(ball(numbers, size)), spans=item.spans)
 
 
 def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] | None:
     """The directions along and up of a point that slides along a line which is not that of gravity; nothing that
     touches a wall by a contact, which lies on it, or that only a constraint keeps on its line."""
-    found = straight(machine, point)
+    found = machine.straight(point)
     if found is None:
         return None
     name, move = found
     events = machine.flat.events
     told = [*(each.gap for each in events.contacts), *(slip for each in events.frictions for slip in each.slips)]
-    if any(name in movers_of(machine, each) for each in told) or _is_framed(machine, point):
+    if any(name in machine.movers_of(each) for each in told) or _is_framed(machine, point):
         return None
     along = move / np.linalg.norm(move)
     up = np.array([0.0, 0.0, 1.0]) if machine.down is None else -machine.down
@@ -87,26 +74,25 @@ def driven(machine: Machine, point: fx.FlatExpression) -> tuple[Floats, Floats] 
 
 def _is_framed(machine: Machine, point: fx.FlatExpression) -> bool:
     """Is the point the corner of something that is drawn by lines and slides with it?"""
-    own = places(machine, point)
+    own = machine.places(point)
     for drawing in machine.flat.drawings:
         if drawing.place == "between":
-            one, other = (places(machine, end) for end in anchors_of(drawing))
+            one, other = (machine.places(end) for end in anchors_of(drawing))
             if constant(other - one) and min(np.abs(own - each).max() for each in (one, other)) <= HELD:
                 return True
     return False
 
 
-def _on(machine: Machine, point: fx.FlatExpression, way: tuple[Floats, Floats]) -> Place:
+def _on(point: fx.FlatExpression, way: tuple[Floats, Floats]) -> Numbers:
     """At a point, along and up."""
-    ends = zip(("at", "x", "z"), (point, *map(fixed, way)), strict=True)
-    return tuple((role, machine.columns.vector(each)) for role, each in ends)
+    return {"at": point, "x": fixed(way[0]), "z": fixed(way[1])}
 
 
-def _cart(machine: Machine, name: str, point: fx.FlatExpression, way: tuple[Floats, Floats], spans: Spans) -> Shape:
-    numbers = _on(machine, point, way)
+def _cart(name: str, point: fx.FlatExpression, way: tuple[Floats, Floats], spans: Spans) -> Shape:
+    numbers = _on(point, way)
     cart, wheels = (Part(form=form, numbers=numbers, sizes=(Size(CART),) * 3) for form in ("cart", "cart wheels"))
     parts = (cart, replace(wheels, color=RIM))
-    return Shape(kind="mass", name=name, numbers=numbers[:1], parts=parts, spans=spans)
+    return Shape(kind="mass", name=name, numbers={"at": point}, parts=parts, spans=spans)
 
 
 def _rail(
@@ -120,9 +106,8 @@ def _rail(
         return
     known.append(line)
     across = fx.Binary("-", point, fx.Binary("*", fx.Dot(point, fixed(along)), fixed(along)))
-    numbers = _on(machine, across, way)
-    part = Part(form="rail", numbers=numbers, still=True, offset=-CART)
-    yield Shape(kind="rail", name="rail", numbers=(), parts=(part,), spans=spans)
+    part = Part(form="rail", numbers=_on(across, way), still=True, offset=-CART)
+    yield Shape(kind="rail", name="rail", numbers={}, parts=(part,), spans=spans)
 
 
 def bodies(machine: Machine) -> Iterator[Shape]:
@@ -131,28 +116,29 @@ def bodies(machine: Machine) -> Iterator[Shape]:
         if machine.is_standing(fx.FrameOrigin(item.frame)) or machine.is_drawn(item.spans):
             continue
         parts = tuple(_Body(machine, item).parts())
-        numbers = tuple(on_frame(item.frame, machine.columns))
-        yield Shape(kind="body", name=item.label or f"body {k}", numbers=numbers, parts=parts, spans=item.spans)
+        name, numbers = item.label or f"body {k}", on_frame(item.frame)
+        yield Shape(kind="body", name=name, numbers=numbers, parts=parts, spans=item.spans)
 
 
 def have_inertia(flat: fm.FlatModel) -> frozenset[Spans]:
     """The instances of classes that hold a body with moments of inertia."""
-    at = evaluator_at(flat, 0)
+    at = Evaluator(flat, Values())
     return frozenset(body.spans[1:] for body in flat.bodies if any(number(at, each) != 0.0 for each in body.inertia))
 
 
 def levers(machine: Machine, centres: Iterable[fm.Drawing]) -> Iterator[Shape]:
     """A thin arm from the frame of a body to its mass center, one of the `centres` that components draw."""
     frames = {(body.spans[1:], body.frame) for body in machine.flat.bodies}
-    columns, at = machine.columns, machine.positions[0]
+    at = machine.positions[0]
     for drawing in centres:
         [center] = drawing.anchors
         if isinstance(center, str):
             continue
-        for name in sorted(frames_in(machine, center)):
+        for name in sorted(machine.frames_in(center)):
             own = fx.FrameOrigin(name)
             if (drawing.spans[1:], name) in frames and np.linalg.norm(at.vector(center) - at.vector(own)) > HELD:
-                yield between("rope", "to the mass center", own, center, drawing.spans, columns)
+                ends = {"at": own, "to": center}
+                yield Shape(kind="rope", name="to the mass center", numbers=ends, spans=drawing.spans)
 
 
 def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:
@@ -161,119 +147,97 @@ def radius_of(machine: Machine, body: fm.RigidBody) -> fx.FlatExpression | None:
     if any(number(at, part) != 0.0 for part in body.com) or not number(at, body.mass) > 0.0:
         return None
     largest = max(body.inertia[:3], key=lambda each: number(at, each))
-    found = length_behind(machine, largest, body.mass)
+    found = machine.length_behind(largest, body.mass)
     return found[0] if found is not None and found[1] > _BAR_INERTIA * (1.0 + HELD) else None
 
 
 class _Body:
-    """Chooses the look of one body. `points` (n, 3) are those that are fixed in it, along its axes."""
+    """Chooses the look of one body. `corners` are points that are fixed in it, with their components (3,) along its
+    axes: `points`, its mass center and, if that is elsewhere, the origin of its frame."""
 
     def __init__(self, machine: Machine, item: fm.RigidBody) -> None:
-        self.machine, self.item, self.columns = machine, item, machine.columns
+        self.machine, self.item = machine, item
         at = machine.positions[0]
         self.mass = number(at, item.mass)
         self.com = np.array([number(at, part) for part in item.com])
         self.moments = np.array([number(at, part) for part in item.inertia])
-        self.points = fixed_points(machine, item.frame)
+        self.points = machine.fixed_points(item.frame)
+        self.origin: fx.FlatExpression = fx.FrameOrigin(item.frame)
+        self.center = mass_centre(item) if self.com.any() else self.origin
+        self.corners = [*self.points, (self.center, self.com)]
+        self.corners += [(self.origin, np.zeros(3))] if self.com.any() else []
 
     def parts(self) -> list[Part]:
         """A point by a ball; a body that is held away from its mass center, or at several points, by bars between them;
         any other one by its inertia."""
         if not self.moments.any():
-            return self._point()
+            arm = Part(form="cylinder", numbers={"at": self.origin, "to": self.center}, sizes=_ARM)
+            return [*ball({"at": self.center}, Size(BALL)), *([arm] if self.com.any() else [])]
         if self.mass <= 0.0 or not np.isfinite(self.moments).all():
             return self._wheel(Size(_PULLEY))
         planar = not self.moments[[0, 1, 3, 4, 5]].any()
-        rank = _rank(np.array([each for _, each in self._corners()]))
-        if self.points and rank > 1:
+        rank = _rank(np.array([each for _, each in self.corners]))
+        if self.points and (rank > 1 or (rank == 1 and not planar)):
             return self._frame()
         if planar and (rank > 0 or self._is_bar()):
             return [self._bar()]
-        if not planar and self.points and rank == 1:
-            return self._frame()
-        lever = [self._beam(fx.FrameOrigin(self.item.frame), self._center(), 0.3 * BAR)] if self.com.any() else []
+        lever = [self._beam(self.origin, self.center, 0.3 * BAR)] if self.com.any() else []
         return [*(self._disc() if planar else self._spatial()), *lever]
 
     # ---- pieces ------------------------------------------------------------------------------------------------------
 
-    def _center(self) -> fx.FlatExpression:
-        if not self.com.any():
-            return fx.FrameOrigin(self.item.frame)
-        return mass_centre(self.item)
-
-    def _place(self, turn: Floats | None = None) -> tuple[tuple[str, int], ...]:
+    def _place(self, turn: Floats = _AXES) -> Numbers:
         """At the mass center, along the axes of the frame, or of those that are the columns of `turn`."""
-        axes = np.eye(3) if turn is None else turn
-        x, z = (self._direction(axes[:, k]) for k in (0, 2))
-        return (("at", self.columns.vector(self._center())), ("x", x), ("z", z))
+        x, z = (in_axes(self.item.frame, turn[:, k]) for k in (0, 2))
+        return {"at": self.center, "x": x, "z": z}
 
-    def _direction(self, own: Floats) -> int:
-        return self.columns.vector(in_axes(self.item.frame, own))
+    def _root(self, moment: fx.FlatExpression) -> fx.FlatExpression:
+        return fx.Function("sqrt", (fx.Binary("/", moment, self.item.mass),))
 
     def _length(self, moment: fx.FlatExpression) -> Size:
         """sqrt(moment / mass)."""
-        return Size(1.0, self.columns.scalar(fx.Function("sqrt", (fx.Binary("/", moment, self.item.mass),))), False)
-
-    def _point(self) -> list[Part]:
-        at = (("at", self.columns.vector(self._center())),)
-        found = ball(at, Size(BALL))
-        if self.com.any():
-            ends = (("at", self.columns.vector(fx.FrameOrigin(self.item.frame))), ("to", at[0][1]))
-            found.append(Part(form="cylinder", numbers=ends, sizes=(Size(0.006), Size(0.006), Size(1.0))))
-        return found
+        return Size(1.0, self._root(moment), False)
 
     def _wheel(self, radius: Size) -> list[Part]:
         return wheel(self._place(), radius, replace(radius, factor=_WHEEL * radius.factor))
 
+    def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
+        return Part(form="beam", numbers={"at": start, "to": end}, sizes=(Size(width), Size(width), Size(1.0)))
+
     # ---- plane bodies ------------------------------------------------------------------------------------------------
 
-    def _corners(self) -> list[tuple[fx.FlatExpression, Floats]]:
-        """Points of the body with its mass center and, if that is elsewhere, the origin of its frame."""
-        found = [*self.points, (self._center(), self.com)]
-        if self.com.any():
-            found.append((fx.FrameOrigin(self.item.frame), np.zeros(3)))
-        return found
-
     def _is_bar(self) -> bool:
-        behind = length_behind(self.machine, self.item.inertia[2], self.item.mass)
+        behind = self.machine.length_behind(self.item.inertia[2], self.item.mass)
         return behind is not None and abs(behind[1] - _BAR_INERTIA) <= HELD
 
     def _disc(self) -> list[Part]:
         """About the normal of the plane: of the radius of a parameter, if one is behind the moment."""
         radius = radius_of(self.machine, self.item)
-        if radius is not None:
-            return self._wheel(Size(1.0, self.columns.scalar(radius), False))
-        return self._wheel(self._length(fx.Binary("*", fx.Number(2.0), self.item.inertia[2])))
-
-    def _beam(self, start: fx.FlatExpression, end: fx.FlatExpression, width: float = BAR) -> Part:
-        numbers = (("at", self.columns.vector(start)), ("to", self.columns.vector(end)))
-        return Part(form="beam", numbers=numbers, sizes=(Size(width), Size(width), Size(1.0)))
+        moment = fx.Binary("*", fx.Number(2.0), self.item.inertia[2])
+        return self._wheel(Size(1.0, radius, False) if radius is not None else self._length(moment))
 
     def _frame(self) -> list[Part]:
         """Bars around the points of the body, seen across the plane that they lie in or near."""
-        corners = self._corners()
-        places = np.array([own for _, own in corners])
+        places = np.array([own for _, own in self.corners])
         axes = np.linalg.svd(places - places.mean(axis=0))[2][:2]
         rim = hull((places - places.mean(axis=0)) @ axes.T)
         ends = zip(rim, rim[1:] + rim[:1], strict=True) if len(rim) > 2 else [(rim[0], rim[-1])]
-        return [self._beam(corners[i][0], corners[j][0]) for i, j in ends]
+        return [self._beam(self.corners[i][0], self.corners[j][0]) for i, j in ends]
 
     def _bar(self) -> Part:
         """I = m l^2/12 about the mass center; one that is held at two points ends there."""
-        frame = self.item.frame
         ways = [self.com, *(place for _, place in self.points), np.array([1.0, 0.0, 0.0])]
         along = next(way / np.linalg.norm(way) for way in ways if np.linalg.norm(way) > HELD)
-        center, half = float(self.com @ along), float(np.sqrt(3.0 * self.moments[2] / self.mass))
-        square = fx.Binary("/", fx.Binary("*", fx.Number(3.0), self.item.inertia[2]), self.item.mass)
-        direction = along_axes(frame, [fx.Number(float(part)) for part in along])
-        way = fx.Binary("*", fx.Function("sqrt", (square,)), direction)
-        ends: list[fx.FlatExpression] = [fx.Binary(sign, self._center(), way) for sign in "-+"]  # type: ignore[arg-type]
-        held = sorted(((float(own @ along), k) for k, (_, own) in enumerate(self._corners())), key=lambda each: each[0])
+        half = float(np.sqrt(3.0 * self.moments[2] / self.mass))
+        direction = along_axes(self.item.frame, [fx.Number(float(part)) for part in along])
+        way = fx.Binary("*", self._root(fx.Binary("*", fx.Number(3.0), self.item.inertia[2])), direction)
+        ends: list[fx.FlatExpression] = [fx.Binary(sign, self.center, way) for sign in "-+"]  # type: ignore[arg-type]
+        # Along the bar from its middle.
+        held = sorted(((float((own - self.com) @ along), point) for point, own in self.corners), key=itemgetter(0))
         outer = (held[0], held[-1]) if self.points and held[-1][0] - held[0][0] > HELD else ()
-        for k, (place, corner) in enumerate(outer):
-            reached = center + (half if k else -half)
-            if HELD < abs(place - center) <= abs(reached - center) * (1.0 + 1e-6):
-                ends[k] = self._corners()[corner][0]
+        for k, (place, point) in enumerate(outer):
+            if HELD < abs(place) <= half * (1.0 + 1e-6):
+                ends[k] = point
         return self._beam(ends[0], ends[1])
 
     # ---- bodies in space ---------------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.derivation.scene.forms import coil
-from lagdsl.derivation.scene.shapes import Part, Size
+from lagdsl.derivation.scene.shapes import Part, Size, Value
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -27,12 +27,12 @@ class Posed:
 
     def is_seen(self) -> bool:
         """Has it a place, and its axis a length?"""
-        values = self.stage.rows[self.row]
-        columns = [size.column for size in self.part.sizes if size.column is not None]
-        vectors = [values[first : first + 3] for _, first in self.part.numbers]
-        if not np.isfinite([*values[columns], *np.ravel(vectors)]).all():
+        values = [np.ravel(self.value(each)) for each in self.part.read() if not isinstance(each, tuple)]
+        if not np.isfinite(np.concatenate([np.zeros(0), *values])).all():
             return False
-        return not self.has("at") or self._shown() > (_SHORTEST * self.stage.length if self.part.scale else 0.0)
+        return "at" not in self.part.numbers or self._shown() > (
+            _SHORTEST * self.stage.length if self.part.scale else 0.0
+        )
 
     def _shown(self) -> float:
         """The length of the axis, in the picture if it has another unit."""
@@ -40,22 +40,21 @@ class Posed:
 
     def way(self) -> Floats:
         """The axis: to the other end, along z."""
-        if self.has("to"):
+        if "to" in self.part.numbers:
             return np.asarray(self.vector("to") - self.vector("at"))
-        return self.vector("z") if self.has("z") else np.array([0.0, 0.0, 1.0])
+        return self.vector("z") if "z" in self.part.numbers else np.array([0.0, 0.0, 1.0])
 
-    def has(self, role: str) -> bool:
-        return any(name == role for name, _ in self.part.numbers)
+    def value(self, value: Value) -> Floats:
+        return self.stage.scene.values(self.stage.rows[self.row], value)
 
     def vector(self, role: str) -> Floats:
-        first = dict(self.part.numbers)[role]
-        own = np.array(self.stage.rows[self.row, first : first + 3])
+        own = self.value(self.part.numbers[role])
         if self.part.board is None:
             return own
         return np.asarray(self.stage.boards[self.part.board][:3] @ [*own, float(role in ("at", "to"))])
 
     def size(self, size: Size) -> float:
-        value = 1.0 if size.column is None else float(self.stage.rows[self.row, size.column])
+        value = 1.0 if size.value is None else float(self.value(size.value))
         return size.factor * value * (self.stage.length if size.relative else 1.0)
 
     def matrix(self) -> Floats:
@@ -64,11 +63,11 @@ class Posed:
         sizes = [self.size(size) for size in part.sizes]
         if part.scale:
             sizes = [own if size.relative else own * self._shown() for own, size in zip(sizes, part.sizes, strict=True)]
-        elif self.has("to"):
+        elif "to" in self.part.numbers:
             sizes[2] = self._shown()
-        x, y, z = axes_along(way, self.vector("x") if self.has("x") else None)
+        x, y, z = axes_along(way, self.vector("x") if "x" in self.part.numbers else None)
         if part.still:
-            at = self._beside(at, z, x if self.has("x") else None)
+            at = self._beside(at, z, x if "x" in self.part.numbers else None)
         return matrix_of(x * sizes[0], y * sizes[1], z * sizes[2], at + part.offset * self.stage.length * z)
 
     def _beside(self, at: Floats, z: Floats, x: Floats | None) -> Floats:
@@ -78,10 +77,7 @@ class Posed:
 
     def line(self) -> Floats:
         """Points (n, 3)."""
-        if self.part.form == "coil":
-            return placed(coil(), self.matrix())
-        first = dict(self.part.numbers)["points"]
-        return np.asarray(self.stage.rows[self.row, first : first + 3 * self.part.count].reshape(-1, 3))
+        return placed(coil(), self.matrix()) if self.part.form == "coil" else self.value(self.part.points)
 
 
 def axes_along(way: Floats, about: Floats | None) -> tuple[Floats, Floats, Floats]:

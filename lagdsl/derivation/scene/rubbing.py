@@ -7,32 +7,20 @@ the same. A slip of angles, of a lever or of shafts has no place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from itertools import combinations
 from typing import Any
 
 import numpy as np
 
-from lagdsl.derivation.scene.machine import (
-    HELD,
-    axes_at,
-    evaluator_at,
-    in_axes,
-    normal_of,
-    number,
-    points_of,
-    radius_at,
-    unit_vectors,
-    vector,
-)
+from lagdsl.derivation.scene.machine import HELD, Machine, axes_at, fixed, in_axes, number, unit_vectors, vector
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.foundation.units.dimension import VELOCITY
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
-from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.events import Friction
 
 # Parameters are changed by up to this part, so that a direction which follows one is not taken for a fixed one.
@@ -41,6 +29,8 @@ _SPREAD = 0.1
 _MOST_POINTS = 48
 
 Directions = tuple[fx.FlatExpression, ...]
+_Moving = tuple[fx.FlatExpression, Floats]
+"""A point, and (positions, coordinates, 3) its velocity for a unit rate of each coordinate."""
 
 
 @record()
@@ -51,24 +41,14 @@ class Place:
     directions: Directions
 
 
-@record()
-class _Point:
-    """`moves` (positions, coordinates, 3): its velocity for a unit rate of each coordinate."""
-
-    at: fx.FlatExpression
-    moves: Floats
-
-
 class Rubbing:
     """Places of the frictions of a model."""
 
     def __init__(self, flat: fm.FlatModel) -> None:
-        self._flat = flat
-        self._dependence = Dependence(flat)
-        self._names = [item.name for item in flat.coordinates]
+        self._machine = Machine(flat)
         # At each position: everything at rest, then a unit rate of each coordinate.
-        rates: list[dict[str, float]] = [{}, *({name: 1.0} for name in self._names)]
-        self._at = [[evaluator_at(flat, seed, each, parameters=_SPREAD) for each in rates] for seed in (0, 1)]
+        rates: list[dict[str, float]] = [{}, *({item.name: 1.0} for item in flat.coordinates)]
+        self._at = [[self._machine.at(seed, each, parameters=_SPREAD) for each in rates] for seed in (0, 1)]
         self._frames = ["world", *(item.name for item in flat.named if isinstance(item, fm.Frame))]
 
     def places(self, friction: Friction) -> tuple[Place, ...]:
@@ -76,16 +56,15 @@ class Rubbing:
         if friction.dimension != VELOCITY:
             return ()
         slips = self._changes([[[number(at, slip) for slip in friction.slips] for at in row] for row in self._at])
-        for point in (*self._known, *self._touching(friction)):
-            directions = self._along(slips, point.moves)
+        for at, moves in (*self._known, *self._moving(self._touching(friction))):
+            directions = self._along(slips, moves)
             if directions is not None:
-                return (Place(point.at, directions),)
-        for one, other in combinations(self._known, 2):
-            reached = _moves_with(one.moves) | _moves_with(other.moves)
-            directions = self._along(slips, one.moves - other.moves) if np.all(reached[_moves_with(slips)]) else None
+                return (Place(at, directions),)
+        for (one, moves), (other, others) in combinations(self._known, 2):
+            reached = _moves_with(moves) | _moves_with(others)
+            directions = self._along(slips, moves - others) if np.all(reached[_moves_with(slips)]) else None
             if directions is not None:
-                opposite = tuple(fx.Unary("-", each) for each in directions)
-                return Place(one.at, directions), Place(other.at, opposite)
+                return Place(one, directions), Place(other, tuple(fx.Unary("-", each) for each in directions))
         return ()
 
     def _changes(self, found: list[list[Any]]) -> Floats:
@@ -93,43 +72,38 @@ class Rubbing:
         values = np.array(found)
         return np.asarray(values[:, 1:] - values[:, :1])
 
-    def _sliding(self, at: fx.FlatExpression, velocity: fx.FlatExpression) -> Iterator[_Point]:
-        """A point with this velocity, if it moves and the velocity has a value."""
-        moves = self._changes([[vector(moment, velocity) for moment in row] for row in self._at])
-        if np.isfinite(moves).all() and np.any(moves):
-            yield _Point(at, moves)
+    def _moving(self, points: Iterable[tuple[fx.FlatExpression, fx.FlatExpression]]) -> Iterator[_Moving]:
+        """Those of the points with these velocities that move, and whose velocity has a value."""
+        for at, velocity in points:
+            moves = self._changes([[vector(moment, velocity) for moment in row] for row in self._at])
+            if np.isfinite(moves).all() and np.any(moves):
+                yield at, moves
 
     @cached_property
-    def _known(self) -> list[_Point]:
+    def _known(self) -> list[_Moving]:
         """Named points, masses, origins of frames with a body, as far as they move."""
-        places = sorted(points_of(self._flat), key=lambda at: not isinstance(at, fx.PointReference))
-        return [point for at in places[:_MOST_POINTS] for point in self._sliding(at, fx.Derivative(at))]
+        places = sorted(self._machine.points, key=lambda at: not isinstance(at, fx.PointReference))
+        return list(self._moving((at, fx.Derivative(at)) for at in places[:_MOST_POINTS]))
 
-    def _touching(self, friction: Friction) -> Iterator[_Point]:
-        """Points of bodies that touch: the lowest one of a round shape over the plane of its contact, and named points
-        of the component of the friction, as parts of each body."""
-        flat = self._flat
+    def _touching(self, friction: Friction) -> Iterator[tuple[fx.FlatExpression, fx.FlatExpression]]:
+        """Points of bodies that touch, with the velocities of these there: the lowest one of a round shape over the
+        plane of its contact, and named points of the component of the friction, as parts of each body."""
+        machine, flat = self._machine, self._machine.flat
         contact = next((each for each in flat.events.contacts if each.name == friction.contact), None)
         for body in flat.bodies:
             origin = fx.FrameOrigin(body.frame)
-            radius = radius_at(flat, origin)
+            radius = machine.radius_at(origin)
             if contact is not None and radius is not None and not contact.one_way:
-                own = frozenset(self._names) & frozenset(self._dependence.of(contact.gap))
-                normal = normal_of(flat, contact.gap, origin, own) if own else None
+                own = machine.movers_of(contact.gap)
+                normal = machine.normal_of(contact.gap, origin, own) if own else None
                 if normal is not None:
-                    down = fx.Vector(*(fx.Number(-float(x)) for x in normal))
-                    yield from self._part(body.frame, fx.Binary("+", origin, fx.Binary("*", radius, down)))
+                    rim = fx.Binary("+", origin, fx.Binary("*", radius, fixed(-normal)))
+                    yield rim, fx.MaterialVelocity(rim, body.frame)
         component = (friction.contact or friction.name).rpartition(".")[0]
-        points = [item for item in flat.named if isinstance(item, fm.Point)]
-        for point in points if component else ():
-            if point.name.rpartition(".")[0] == component:
-                for body in flat.bodies:
-                    yield from self._part(body.frame, fx.PointReference(point.name))
-
-    def _part(self, frame: str, at: fx.FlatExpression) -> Iterator[_Point]:
-        return self._sliding(at, fx.MaterialVelocity(at, frame))
-
-    # ---- directions --------------------------------------------------------------------------------------------------
+        for item in flat.named if component else ():
+            if isinstance(item, fm.Point) and item.name.rpartition(".")[0] == component:
+                point = fx.PointReference(item.name)
+                yield from ((point, fx.MaterialVelocity(point, body.frame)) for body in flat.bodies)
 
     def _along(self, slips: Floats, moves: Floats) -> Directions | None:
         """Unit vectors e_k, orthogonal ones, with slip_k = e_k . velocity at all positions, fixed in a frame."""

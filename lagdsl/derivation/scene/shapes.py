@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import field
 from typing import Literal, TypeAlias
 
+from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat.quantity import Spans
@@ -17,36 +20,49 @@ ShapeKind: TypeAlias = Literal[
 """The shapes of `draw`, then those that the rules add, then the arrows of `vectors`."""
 
 
+TOLD = frozenset({"at", "to", "vector", "value", "mode"})
+
 Primitive: TypeAlias = Literal["surface", "line", "trace", "label"]
 """All that painters know: triangles of a unit body, a tube through points, the way of a point, a text."""
 
 
+Numbers: TypeAlias = "Mapping[str, fx.FlatExpression]"
+"""Scalars and vectors by role."""
+
+Value: TypeAlias = "fx.FlatExpression | tuple[fx.FlatExpression, ...]"
+"""A scalar, a vector, or several of them side by side."""
+
+_VECTORS = (
+    *(fx.Vector, fx.PointReference, fx.FrameOrigin, fx.FrameAxis, fx.AngularVelocity, fx.MaterialVelocity),
+    *(fx.Cross, fx.LinearMomentum, fx.AngularMomentum, fx.FrameReaction, fx.AdmissibleMotion),
+)
+
+
 @record()
 class Size:
-    """`factor` times the scalar in a `column`, if there is one; `relative` to the length of the machine."""
+    """`factor` times a `value`, if there is one; `relative` to the length of the machine."""
 
     factor: float
-    column: int | None = None
+    value: fx.FlatExpression | None = None
     relative: bool = True
 
 
 @record(kw_only=True)
 class Part:
-    """A primitive and where it stands. `numbers` tells by role at which column of the scene a vector begins.
+    """A primitive and where it stands: `numbers` are vectors.
 
     `at` is its origin, `z` its axis, `x` about the direction of its first axis, world axes where they are not given.
     With `to` the axis leads there and the unit length along it is stretched to the distance. `sizes` [m] stretch the
     unit lengths along the axes. With a `scale`, which is the unit of `z`, those that are not relative are multiplied by
-    the length of `z` in the picture; nothing is seen of a part whose axis has no length. A line has its `points` (n
-    vectors) or is the coil of a spring; `sizes` ends with the radius of its tube. A `still` part does not move: it
-    stands where the motion begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade`
-    times the color. The vectors of a part on a `board`, by its number, are in the axes and the unit of that board of
-    the stage.
+    the length of `z` in the picture; nothing is seen of a part whose axis has no length. A line has its `points` or is
+    the coil of a spring; `sizes` ends with the radius of its tube. A `still` part does not move: it stands where the
+    motion begins, along its plane (with `x`: along its line) beside the middle of the machine. `shade` times the color.
+    The vectors of a part on a `board`, by its number, are in the axes and the unit of that board of the stage.
     """
 
     primitive: Primitive = "surface"
     form: str = ""
-    numbers: tuple[tuple[str, int], ...]
+    numbers: Numbers
     sizes: tuple[Size, Size, Size] = (Size(1.0), Size(1.0), Size(1.0))
     color: str = "#64748b"
     shade: float = 1.0
@@ -54,57 +70,93 @@ class Part:
     scale: str = ""
     still: bool = False
     offset: float = 0.0
-    count: int = 0
+    points: tuple[fx.FlatExpression, ...] = ()
     board: int | None = None
+
+    def read(self) -> Iterator[Value]:
+        """All that the part reads."""
+        yield from self.numbers.values()
+        yield from (size.value for size in self.sizes if size.value is not None)
+        if self.points:
+            yield self.points
 
 
 @record(kw_only=True)
 class Shape:
-    """A thing with its parts. `numbers` tells by role the column of the scene at which a scalar stands or a vector
-    (three columns) begins: `at`, `to`, `vector`, `normal`, and `value` of a coordinate or, in one column or two, of the
-    force of friction, with its `mode`.
+    """A thing with its parts. `numbers` are the arguments of `draw` until it has its parts, then those that are `TOLD`:
+    `value` is that of a coordinate or, as a scalar or a vector, of the force of friction, with its `mode`.
     """
 
     kind: ShapeKind
     name: str
-    numbers: tuple[tuple[str, int], ...]
+    numbers: Numbers
     parts: tuple[Part, ...] = ()
-    texts: tuple[tuple[str, str], ...] = ()
+    texts: Mapping[str, str] = field(default_factory=dict)
     spans: Spans
 
 
 @record(kw_only=True)
 class Scene:
-    """Shapes and the scalars that they read, column by column. `planar`: nothing leaves the plane z = 0."""
+    """Shapes and the scalars that they read, column by column; `places` are the columns of a value, by its key.
+    `planar`: nothing leaves the plane z = 0."""
 
     shapes: tuple[Shape, ...]
     columns: tuple[fx.FlatExpression, ...]
+    places: Mapping[object, slice]
     planar: bool
 
+    def first(self, value: Value) -> int:
+        """The column of a scalar, the first one of anything else."""
+        return int(self.places[_key(value)].start)
 
-class Columns:
-    """Gives each scalar and each vector its column, once."""
+    def values(self, rows: Floats, value: Value) -> Floats:
+        """A scalar (...,) or a vector (..., 3) [SI] of `rows` (..., columns); several side by side (..., n, 3)."""
+        found = rows[..., self.places[_key(value)]]
+        if isinstance(value, tuple):
+            return found.reshape(*found.shape[:-1], -1, 3)
+        return found if found.shape[-1] > 1 else found[..., 0]
 
-    def __init__(self) -> None:
-        self.expressions: list[fx.FlatExpression] = []
-        self._known: dict[object, tuple[int, fx.FlatExpression]] = {}
 
-    def scalar(self, expression: fx.FlatExpression) -> int:
-        return self._place(expression, (expression,))
+def scene_with(shapes: Iterable[Shape], *, planar: bool) -> Scene:
+    """Each scalar and each vector has its columns, once."""
+    found = tuple(shapes)
+    columns: list[fx.FlatExpression] = []
+    places: dict[object, slice] = {}
+    for shape in found:
+        for value in (*shape.numbers.values(), *(each for part in shape.parts for each in part.read())):
+            if _key(value) not in places:
+                scalars = _scalars(value)
+                places[_key(value)] = slice(len(columns), len(columns) + len(scalars))
+                columns += scalars
+    return Scene(shapes=found, columns=tuple(columns), places=places, planar=planar)
 
-    def vector(self, expression: fx.FlatExpression) -> int:
-        return self._place(expression, tuple(fx.Component(expression, axis) for axis in range(3)))
 
-    def scalars(self, expressions: tuple[fx.FlatExpression, ...]) -> int:
-        """Side by side."""
-        first = len(self.expressions)
-        self.expressions += expressions
-        return first
+def _key(value: Value) -> object:
+    """Names are few and short; comparing long expressions costs more than a column."""
+    is_name = isinstance(value, fx.PointReference | fx.FrameOrigin | fx.FrameAxis | fx.Variable)
+    return value if is_name else id(value)
 
-    def _place(self, expression: fx.FlatExpression, parts: tuple[fx.FlatExpression, ...]) -> int:
-        # Names are few and short; comparing long expressions costs more than a column.
-        is_name = isinstance(expression, fx.PointReference | fx.FrameOrigin | fx.FrameAxis | fx.Variable)
-        key = (len(parts), expression if is_name else id(expression))
-        if key not in self._known:  # the expression is kept, so that its identity is not given to another one
-            self._known[key] = (self.scalars(parts), expression)
-        return self._known[key][0]
+
+def _scalars(value: Value) -> tuple[fx.FlatExpression, ...]:
+    if isinstance(value, tuple):
+        return tuple(scalar for each in value for scalar in _scalars(each))
+    return tuple(fx.Component(value, axis) for axis in range(3)) if is_vector(value) else (value,)
+
+
+def is_vector(expression: fx.FlatExpression) -> bool:
+    """Is it a geometric vector?"""
+    while True:
+        if isinstance(expression, _VECTORS):
+            return True
+        if isinstance(expression, fx.Derivative | fx.Unary):
+            expression = expression.operand
+        elif isinstance(expression, fx.Binary):  # the vector of a product stands on the right
+            expression = expression.right if expression.operator == "*" else expression.left
+        elif isinstance(expression, fx.Conditional):
+            expression = expression.value
+        else:
+            return False
+
+
+def acting(kind: ShapeKind, name: str, at: fx.FlatExpression, vector: fx.FlatExpression, spans: Spans) -> Shape:
+    return Shape(kind=kind, name=name, numbers={"at": at, "vector": vector}, spans=spans)

@@ -8,8 +8,8 @@ from dataclasses import field, replace
 
 import numpy as np
 
+from lagdsl.derivation.scene.drawings import meshes_of
 from lagdsl.derivation.scene.forms import COARSE, FINE, form
-from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.shapes import Part, Scene
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.numerics.rank import Floats
@@ -24,6 +24,7 @@ BOARD = 0.16
 """Of the machine: half the width of the board of a gauge."""
 
 _SIDES = 12
+_ENDS = ("at", "to")
 _X, _Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
 _EQUAL = 0.05
 _REACH = 0.85  # of a board
@@ -75,8 +76,8 @@ def stage_of(scene: Scene, rows: Floats, up: Sequence[float] | Floats) -> Stage:
     length = max(float(np.linalg.norm(high - low)) / math.sqrt(2.0), 1e-9)
 
     def scaled(kind: str) -> float:
-        firsts = [dict(shape.numbers)["vector"] for shape in scene.shapes if shape.kind == kind and shape.numbers]
-        own = [np.linalg.norm(rows[:, first : first + 3], axis=1) for first in firsts]
+        arrows = [shape.numbers["vector"] for shape in scene.shapes if shape.kind == kind and shape.numbers]
+        own = [np.linalg.norm(scene.values(rows, arrow), axis=1) for arrow in arrows]
         most = max((float(sizes.max(initial=0.0, where=np.isfinite(sizes))) for sizes in own), default=0.0)
         return 0.3 * length / most if most > 0.0 else 0.0
 
@@ -96,7 +97,7 @@ def _boards(stage: Stage) -> Iterator[Floats]:
     low = min(float((end - stage.center) @ stage.axes[1]) for end in (stage.low, stage.high))
     row = stage.center + low * stage.axes[1] - 1.7 * up
     for k, shape in enumerate(found):
-        values = np.abs(stage.rows[:, dict(shape.numbers)["value"]])
+        values = np.abs(stage.scene.values(stage.rows, shape.numbers["value"]))
         most = float(np.max(values, initial=1e-12, where=np.isfinite(values)))
         unit = right * (_REACH / most if shape.kind == "slider" else 1.0)
         place = row + (k - (len(found) - 1) / 2.0) * 2.6 * right
@@ -110,15 +111,11 @@ def places_of(scene: Scene, rows: Floats) -> Floats:
     for shape in scene.shapes:
         if shape.kind == "frame":
             continue
-        firsts = [first for role, first in shape.numbers if role in ("at", "to")]
-        points += [seen[:, first : first + 3] for first in firsts]
+        points += [scene.values(seen, shape.numbers[role]) for role in _ENDS if role in shape.numbers]
         for part in (part for part in shape.parts if not part.still and part.board is None):
-            numbers = dict(part.numbers)
-            for role in ("at", "to"):
-                if role in numbers:
-                    at = seen[:, numbers[role] : numbers[role] + 3]
-                    room = _room(part, seen)
-                    points += [at - room, at + room]
+            places = [scene.values(seen, part.numbers[role]) for role in _ENDS if role in part.numbers]
+            room = _room(scene, part, seen) if places else np.zeros(3)
+            points += [at + side for at in places for side in (-room, room)]
     points = [each[np.all(np.isfinite(each), axis=1)] for each in points]
     every = np.concatenate(points) if points else np.zeros((0, 3))
     if not len(every):
@@ -126,19 +123,20 @@ def places_of(scene: Scene, rows: Floats) -> Floats:
     return every if np.any(np.ptp(every, axis=0) > 0.0) else np.concatenate([every - 0.5, every + 0.5])
 
 
-def _room(part: Part, rows: Floats) -> Floats:
+def _room(scene: Scene, part: Part, rows: Floats) -> Floats:
     """Around the places of a part with sizes of its own, along the axes of the world (rows, 3) [m]."""
     unknown = part.primitive != "surface" or part.form == "file" or part.scale
     if unknown or any(size.relative for size in part.sizes[:2]):
         return np.zeros(3)
-    numbers = dict(part.numbers)
-    factors = [np.abs(size.factor * (1.0 if size.column is None else rows[:, size.column])) for size in part.sizes]
+    numbers = part.numbers
+    values = (1.0 if size.value is None else scene.values(rows, size.value) for size in part.sizes)
+    factors = [np.abs(size.factor * value) for size, value in zip(part.sizes, values, strict=True)]
     halves = [each * half for each, half in zip(factors, np.abs(form(part.form)).max(axis=(0, 1)), strict=True)]
     if "to" in numbers or ("x" in numbers) != ("z" in numbers):
         return np.reshape(
             np.max(np.broadcast_arrays(*halves[: 2 if "to" in numbers else 3]), axis=0), (-1, 1)
         ) + np.zeros(3)
-    x, z = (rows[:, numbers[role] :][:, :3] if role in numbers else unit for role, unit in (("x", _X), ("z", _Z)))
+    x, z = (scene.values(rows, numbers[role]) if role in numbers else unit for role, unit in (("x", _X), ("z", _Z)))
     return np.asarray(
         sum(np.abs(axis) * np.reshape(half, (-1, 1)) for axis, half in zip((x, np.cross(z, x), z), halves, strict=True))
     )

@@ -7,7 +7,7 @@ looks at them.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -15,7 +15,7 @@ from lagdsl.derivation.scene.drawings import mass_centre, sum_of
 from lagdsl.derivation.scene.living import Living, with_scene
 from lagdsl.derivation.scene.looks import dressed
 from lagdsl.derivation.scene.rubbing import Rubbing
-from lagdsl.derivation.scene.shapes import Columns, Scene, Shape, ShapeKind
+from lagdsl.derivation.scene.shapes import Shape, ShapeKind, acting, scene_with
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -28,23 +28,11 @@ MOST_POINTS = 24
 
 _MOST_MOTIONS = 200
 _AXES = tuple(fx.Vector(*(fx.Number(float(axis == k)) for k in range(3))) for axis in range(3))
-_OF_JOINTS: tuple[tuple[ShapeKind, Literal["force", "torque"]], ...] = (
-    ("reaction", "force"),
-    ("reaction torque", "torque"),
-)
-UNITS: dict[ShapeKind, str] = {
-    "velocity": "m/s",
-    "acceleration": "m/s2",
-    "reaction": "N",
-    "reaction torque": "N.m",
-    "constraint": "N",
-    "friction": "N",
-}
-"""Of the numbers behind an arrow; admissible motions have that of their coordinate."""
+_OF_JOINTS: dict[ShapeKind, Literal["force", "torque"]] = {"reaction": "force", "reaction torque": "torque"}
 
 
 @record()
-class _Place:
+class _Carrier:
     """A mass or the mass centre of a body, with the coordinates that move it."""
 
     name: str
@@ -52,75 +40,64 @@ class _Place:
     moved: tuple[str, ...]
     spans: Spans
 
+    def arrow(self, kind: ShapeKind, vector: fx.FlatExpression) -> Shape:
+        return acting(kind, self.name, self.position, vector, self.spans)
+
 
 def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     """The model with its arrows as its only outputs, and with the parameters that `living` gives it."""
-    columns = Columns()
-    places = _places(flat)
-    shapes = [*_motions(places, columns), *_admissible(flat, places, columns)]
-    shapes += [*_reactions(flat, columns), *_constraint_forces(flat, places, columns), *_frictions(flat, columns)]
-    scene = Scene(shapes=dressed(shapes, planar=False), columns=tuple(columns.expressions), planar=False)
+    carriers = list(_carriers(flat))
+    shapes = [each.arrow("velocity", fx.Derivative(each.position)) for each in carriers]
+    shapes += [each.arrow("acceleration", fx.Derivative(fx.Derivative(each.position))) for each in carriers]
+    shapes += [*_admissible(flat, carriers), *_reactions(flat), *_constraint_forces(flat, carriers), *_frictions(flat)]
+    scene = scene_with(dressed(shapes, planar=False), planar=False)
     return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
 
 
-def _places(flat: fm.FlatModel) -> tuple[_Place, ...]:
+def _carriers(flat: fm.FlatModel) -> Iterator[_Carrier]:
+    """Those that move."""
     dependence = Dependence(flat)
-    found = [(_name_of(item.position, k), item.position, item.spans) for k, item in enumerate(flat.masses, 1)]
-    for k, body in enumerate(flat.bodies, 1):
-        found.append((body.label or f"body {k}", mass_centre(body), body.spans))
-    coordinates = [item.name for item in flat.coordinates]
-    moved = [frozenset(dependence.of(position)) for _, position, _ in found]
-    return tuple(
-        _Place(name, position, tuple(each for each in coordinates if each in own), spans)
-        for (name, position, spans), own in zip(found, moved, strict=True)
-        if own & set(coordinates) or "time" in own
-    )
+    found = [
+        (at.name if isinstance(at := item.position, fx.PointReference) else f"mass {k}", at, item.spans)
+        for k, item in enumerate(flat.masses, 1)
+    ]
+    found += [(body.label or f"body {k}", mass_centre(body), body.spans) for k, body in enumerate(flat.bodies, 1)]
+    for name, position, spans in found:
+        own = dependence.of(position)
+        moved = tuple(item.name for item in flat.coordinates if item.name in own)
+        if moved or "time" in own:
+            yield _Carrier(name, position, moved, spans)
 
 
-def _name_of(position: fx.FlatExpression, number: int) -> str:
-    return position.name if isinstance(position, fx.PointReference) else f"mass {number}"
-
-
-def _motions(places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
-    """Velocities, then accelerations."""
-    for place in places:
-        yield _arrow("velocity", place, fx.Derivative(place.position), columns)
-    for place in places:
-        yield _arrow("acceleration", place, fx.Derivative(fx.Derivative(place.position)), columns)
-
-
-def _admissible(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+def _admissible(flat: fm.FlatModel, carriers: Sequence[_Carrier]) -> Iterator[Shape]:
     """dr/dq_j of each mass: with others held, a coordinate moves it along this arrow (d'Alembert's virtual motions)."""
     units = {item.name: item.unit for item in flat.coordinates}
-    moving = [(place, name) for place in places for name in place.moved]
-    for place, name in moving[:_MOST_MOTIONS]:
-        shape = _arrow("admissible", place, fx.AdmissibleMotion(place.position, name), columns)
+    moving = [(each, name) for each in carriers for name in each.moved]
+    for each, name in moving[:_MOST_MOTIONS]:
+        shape = each.arrow("admissible", fx.AdmissibleMotion(each.position, name))
         unit = "m" if units[name] in ("rad", "1") else f"m/({units[name]})" if units[name] != "m" else "1"
-        yield replace(shape, texts=(("coordinate", name), ("unit", unit)))
+        yield replace(shape, texts={"coordinate": name, "unit": unit})
 
 
-def _reactions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def _reactions(flat: fm.FlatModel) -> Iterator[Shape]:
     """Of joints that close no loop, and of frames with a body and points with a mass that belong to no joint: what
     keeps them on their way."""
     frames = {item.name: item for item in flat.named if isinstance(item, fm.Frame)}
-    carried = [(joint.name, _carried(joint, frames), joint.spans) for joint in flat.joints if not joint.cut]
-    of_joints = {frame for _, frame, _ in carried}
-    dependence = Dependence(flat)
-    coordinates = {item.name for item in flat.coordinates}
+    joints = ((joint, _carried(joint, frames)) for joint in flat.joints if not joint.cut)
+    carried = [(joint.name, own, joint.spans) for joint, own in joints if own is not None]
     if not flat.joints:
+        dependence, coordinates = Dependence(flat), {item.name for item in flat.coordinates}
         bodies = {body.frame: body.spans for body in flat.bodies if body.frame in frames}
-        moving = [name for name in bodies if coordinates & set(dependence.of(fx.FrameAxis(name, 0)))]
-        carried += [(name, name, bodies[name]) for name in moving if name not in of_joints]
+        moving = (name for name in bodies if coordinates & set(dependence.of(fx.FrameAxis(name, 0))))
+        carried += [(name, name, bodies[name]) for name in moving]
     for name, frame, spans in carried[:MOST_POINTS]:
-        if frame is None:
-            continue
-        place = _Place(f"reaction({name})", fx.FrameOrigin(frame), (), spans)
-        for kind, what in _OF_JOINTS:
-            yield _arrow(kind, place, fx.FrameReaction(frame, what), columns, f"{place.name}.{what}")
+        for kind, what in _OF_JOINTS.items():
+            reaction = fx.FrameReaction(frame, what)
+            yield acting(kind, f"reaction({name}).{what}", fx.FrameOrigin(frame), reaction, spans)
     points = {item.position.name: item.spans for item in flat.masses if isinstance(item.position, fx.PointReference)}
     for name, spans in list(points.items())[:MOST_POINTS]:
         force = fx.Vector(*(fx.ReactionAlong(name, axis) for axis in _AXES))
-        yield _arrow("reaction", _Place(f"reaction({name})", fx.PointReference(name), (), spans), force, columns)
+        yield acting("reaction", f"reaction({name})", fx.PointReference(name), force, spans)
 
 
 def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
@@ -134,29 +111,24 @@ def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
     return None
 
 
-def _constraint_forces(flat: fm.FlatModel, places: tuple[_Place, ...], columns: Columns) -> Iterator[Shape]:
+def _constraint_forces(flat: fm.FlatModel, carriers: Sequence[_Carrier]) -> Iterator[Shape]:
     """lambda dphi/dr of each position constraint on the masses whose position is coordinates alone."""
     points = {item.name: item.position for item in flat.named if isinstance(item, fm.Point)}
     dependence = Dependence(flat)
-    for place in places:
-        position = place.position
+    held = [each for each in flat.constraints if each.level == "position" and not (each.normalisation or each.node)]
+    rows = [(each, *pair) for each in held for pair in zip(each.rows, each.residuals, strict=True)]
+    for carrier in carriers:
+        position = carrier.position
         while isinstance(position, fx.PointReference):
             position = points[position.name]
-        names = _cartesian(position, place.moved)
-        if names is None:
-            continue
-        for constraint in flat.constraints:
-            if constraint.level != "position" or constraint.normalisation or constraint.node:
-                continue
-            for row, residual in zip(constraint.rows, constraint.residuals, strict=True):
-                if not set(dependence.of(residual)) & set(place.moved):
-                    continue
+        names = _cartesian(position, carrier.moved)
+        for constraint, row, residual in rows if names else ():
+            if set(dependence.of(residual)) & set(carrier.moved):
                 force = fx.Vector(*(_slope(residual, name, row) for name in names))
-                shape = _arrow("constraint", place, force, columns, f"{row} on {place.name}")
-                yield replace(shape, spans=constraint.spans)
+                yield acting("constraint", f"{row} on {carrier.name}", carrier.position, force, constraint.spans)
 
 
-def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
+def _frictions(flat: fm.FlatModel) -> Iterator[Shape]:
     """Of each friction its mode (0: its contact is open, 1: it slides, 2: it sticks) and its force: as arrows where its
     slip is that of a point, else as a size alone."""
     rubbing = Rubbing(flat)
@@ -166,14 +138,14 @@ def _frictions(flat: fm.FlatModel, columns: Columns) -> Iterator[Shape]:
         mode: fx.FlatExpression = fx.Conditional(sticks, fx.Number(2.0), fx.ONE)
         if friction.contact is not None:
             mode = fx.Conditional(fx.Variable(f"closed({friction.contact})"), mode, fx.ZERO)
-        told = (("mode", columns.scalar(mode)), ("value", columns.scalars(forces)))
-        texts = (("unit", force_unit(friction)), ("components", str(len(forces))))
+        value = forces[0] if len(forces) == 1 else fx.Vector(forces[0], forces[1], fx.ZERO)
+        told = {"mode": mode, "value": value}
+        texts = {"unit": force_unit(friction), "components": str(len(forces))}
         places = rubbing.places(friction)
         shape = Shape(kind="friction", name=friction.name, numbers=told, texts=texts, spans=friction.spans)
         for place in places:
             parts = [fx.Binary("*", f, e) for f, e in zip(forces, place.directions, strict=True)]
-            numbers = (("at", columns.vector(place.at)), ("vector", columns.vector(sum_of(parts))), *told)
-            yield replace(shape, numbers=numbers)
+            yield replace(shape, numbers={"at": place.at, "vector": sum_of(parts), **told})
         if not places:
             yield shape
 
@@ -185,17 +157,9 @@ def _slope(residual: fx.FlatExpression, name: str | None, row: str) -> fx.FlatEx
     return fx.Binary("*", fx.Multiplier(row), fx.Component(gradient, 0))
 
 
-def _cartesian(position: fx.FlatExpression, moved: tuple[str, ...]) -> tuple[str | None, ...] | None:
-    """The coordinates that are the components of a position, None for a component that stays; None for any other."""
-    if not isinstance(position, fx.Vector):
-        return None
-    names = [part.name if isinstance(part, fx.Variable) else None for part in (position.x, position.y, position.z)]
-    rests = (isinstance(part, fx.Number) for part in (position.x, position.y, position.z))
-    if not all(name in moved or still for name, still in zip(names, rests, strict=True)):
-        return None
-    return tuple(names) if any(names) else None
-
-
-def _arrow(kind: ShapeKind, place: _Place, vector: fx.FlatExpression, columns: Columns, name: str = "") -> Shape:
-    numbers = (("at", columns.vector(place.position)), ("vector", columns.vector(vector)))
-    return Shape(kind=kind, name=name or place.name, numbers=numbers, spans=place.spans)
+def _cartesian(position: fx.FlatExpression, moved: tuple[str, ...]) -> tuple[str | None, ...]:
+    """The coordinates that are the components of a position, None for a component that stays; else nothing."""
+    parts = (position.x, position.y, position.z) if isinstance(position, fx.Vector) else ()
+    names = tuple(part.name if isinstance(part, fx.Variable) else None for part in parts)
+    told = all(name in moved or isinstance(part, fx.Number) for name, part in zip(names, parts, strict=True))
+    return names if told and any(names) else ()

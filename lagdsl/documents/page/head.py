@@ -9,19 +9,18 @@ from typing import TypeAlias
 
 from lagdsl.derivation.scene.forms import coil
 from lagdsl.derivation.scene.living import START
-from lagdsl.derivation.scene.shapes import Part, Scene, Shape
+from lagdsl.derivation.scene.shapes import Part, Scene
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.documents.page.packed import packed_form, packed_meshes
-from lagdsl.documents.page.words import WORDS
 from lagdsl.documents.plot.picture.recording import Recording, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
-from lagdsl.engines.runtime.structures import WHAT
+from lagdsl.engines.runtime.structures import WHAT, Status
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
-from lagdsl.language.flat.display import display, drawn_rate
-from lagdsl.language.flat.events import Contact, Entry, Friction, entries
+from lagdsl.language.flat.display import Display, display, drawn_rate
+from lagdsl.language.flat.events import Contact, Friction, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
 from lagdsl.language.settings.aliases import other_names
@@ -30,6 +29,32 @@ from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.table import event_names
 
 _NONE: Mapping[int, int] = {}
+WORDS = {
+    Status.SINGULAR: "The equations do not determine all accelerations here: `{coordinates}` moves no mass.",
+    Status.NOT_FINITE: "A value is infinite or not a number.",
+    Status.STEP_TOO_SMALL: "The steps became as short as the round-off of time: the motion runs into a singularity.",
+    Status.PROJECTION_FAILED: "No state satisfies the constraints and start values: `{rows}` is farthest off.",
+    Status.VIOLATED: "An assertion failed or an invariant left its tolerance.",
+    Status.STOPPED: "The model ended the run.",
+    Status.CHATTER: "Events of `{entries}` follow each other without time passing.",
+    Status.EVENT_ITERATION_FAILED: "The clauses trigger each other and never come to rest: `{entries}`.",
+    Status.CONFLICT: "Two clauses set one quantity to different values at one instant.",
+    Status.ASSERTION_FAILED: "An assertion of a clause failed.",
+    Status.PENETRATION: "Two bodies that touch are inside each other at `{entries}`.",
+    Status.POSITION_JUMP: "`{rows}`, which an event switches on, asks for other positions than there are.",
+    Status.WAY_JUMP: "The position of a mass would jump by `{entries}`.",
+    Status.NO_FORCES: "No forces satisfy the law of friction: it wedges.",
+    Status.MOMENTUM_UNREACHABLE: "No rates of `{coordinates}` have the momentum or the energy that an event leaves.",
+    Status.BRANCH_POINT: "Branches of the motion meet here by `{rows}`; the equations do not tell which one it takes.",
+    Status.BAD_CLOCK: "A clock has no positive period.",
+    Status.BAD_DELAY: "A delay is not positive.",
+    Status.GRAZING: "Something only touches its border: its time has no derivative.",
+    Status.NOT_SMOOTH: "Motions beside this one end in other modes: there is no derivative.",
+    Status.LONG_PAST: "The past of a delayed value has too many events.",
+}
+"""Why a run ended, in short: the page has the status of the runtime, the time and what is to blame, by name for braces,
+not the state to explain it by."""
+
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
 
 
@@ -55,32 +80,18 @@ def head_of(
     for name, others in other_names(model).items():
         docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
-        "name": model.name,
-        "doc": model.doc,
+        **fields(model, "name doc"),
         "version": __version__,
         "source": "" if source is None else source.text,
         "inks": "" if source is None else _inks(source.text),
         "planar": living.scene.planar,
-        "stage": {
-            "axes": [axis.tolist() for axis in stage.axes],
-            "center": stage.center.tolist(),
-            "length": stage.length,
-            "scales": stage.scales,
-            "boards": [board.T.ravel().tolist() for board in stage.boards],
-            **_forms(stage),
-        },
+        "stage": _stage(stage),
         "start": start,
         "stop": stop,
         "tolerance": made.tolerance,
         "columns": [
-            {
-                "name": column.name,
-                "kind": column.kind,
-                "unit": column.unit,
-                "display": asdict(drawn_rate(column.display) if column.kind == "rate" else column.display),
-                "doc": docs.get(column.name),
-            }
-            for column in motion.columns[:first]
+            fields(each, "name kind unit", display=_display(each.display, each.kind == "rate"), doc=docs.get(each.name))
+            for each in motion.columns[:first]
         ],
         "scene": {"first": first, "count": count, "shapes": shapes_of(living.scene, source, numbers)},
         "meshes": [asdict(mesh) for mesh in meshes],
@@ -99,12 +110,21 @@ def head_of(
         "sources": [_span(item.spans, source) for item in sources(model)],
         "words": {str(int(status)): words for status, words in WORDS.items()},
         "blamed": {
-            "entries": [_named(each) for each in entries(living.flat.events)],
+            "entries": [e.item.name if isinstance(e.item, _NAMED) else e.name for e in entries(living.flat.events)],
             "rows": [slot.name for slot in engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
         },
         "event_names": [{"kind": kind, "names": list(named.get(kind, ()))} for kind in WHAT],
     }
+
+
+def fields(item: object, names: str, **more: Json) -> dict[str, Json]:
+    """Fields of an item by their names, and what is told besides."""
+    return {**{name: getattr(item, name) for name in names.split()}, **more}
+
+
+def _display(own: Display, is_rate: bool) -> Json:
+    return asdict(drawn_rate(own) if is_rate else own)
 
 
 def _inks(text: str) -> str:
@@ -131,18 +151,19 @@ def _sliders(model: FlatModel, living: FlatModel) -> list[str]:
     return [*(fixed or written), *own, *(item.name for item in model.inputs)]
 
 
-def _named(entry: Entry) -> str:
-    """A contact or a friction by its own name, anything else by its condition."""
-    return entry.item.name if isinstance(entry.item, Contact | Friction) else entry.name
-
-
-def _forms(stage: Stage) -> dict[str, Json]:
-    """Unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
+def _stage(stage: Stage) -> Json:
+    """With unit bodies by name: those of the parts, and those that arrows need; points of a coil, if there is one."""
     parts = [part for shape in stage.scene.shapes for part in shape.parts]
     surfaces = {part.form for part in parts if part.primitive == "surface"}
     names = sorted({"arrow", "turning arrow", *surfaces} - {"file"})
-    points = coil().round(4).tolist() if any(part.form == "coil" for part in parts) else []
-    return {"coil": points, "forms": {name: asdict(packed_form(name, stage.around)) for name in names}}
+    return fields(
+        stage, "length scales",
+        axes=[axis.tolist() for axis in stage.axes],
+        center=stage.center.tolist(),
+        boards=[board.T.ravel().tolist() for board in stage.boards],
+        coil=coil().round(4).tolist() if any(part.form == "coil" for part in parts) else [],
+        forms={name: asdict(packed_form(name, stage.around)) for name in names},
+    )  # fmt: skip
 
 
 def _slider(item: Parameter | Input, value: float, group: str) -> Json:
@@ -152,57 +173,50 @@ def _slider(item: Parameter | Input, value: float, group: str) -> Json:
         minimum, maximum = 0.0, 1.0
     elif isinstance(item, Input) and item.literals:
         minimum, maximum = 1.0, float(len(item.literals))
-    return {
-        "name": item.name,
-        "doc": item.doc,
-        "display": asdict(drawn_rate(display(item)) if item.name.startswith("der(") else display(item)),
-        "value": value,
-        "minimum": _finite(minimum),
-        "maximum": _finite(maximum),
-        "kind": item.base,
-        "group": group,
-        "angle": is_angle(item),
-    }
+    shown = _display(display(item), item.name.startswith("der("))
+    limits: dict[str, Json] = {"minimum": finite(minimum), "maximum": finite(maximum)}
+    more: dict[str, Json] = {"value": value, "kind": item.base, "group": group, "angle": is_angle(item)}
+    return fields(item, "name doc", display=shown, **limits, **more)
 
 
-def _finite(value: float | None) -> float | None:
+def finite(value: float | None) -> float | None:
     return value if value is not None and math.isfinite(value) else None
 
 
 def occurrences(motion: Trajectory) -> list[Json]:
-    return [{"time": event.time, "name": event.name, "kind": event.kind} for event in motion.events]
+    return [fields(event, "time name kind") for event in motion.events]
 
 
 def shapes_of(scene: Scene, source: SourceFile | None, meshes: Mapping[int, int] = _NONE) -> list[Json]:
     """`meshes` has the numbers of meshes by those of shapes."""
-    own = ({"mesh": meshes[k]} if k in meshes else {} for k in range(len(scene.shapes)))
-    return [{**_shape(shape, source), **mesh} for shape, mesh in zip(scene.shapes, own, strict=True)]
+    found: list[Json] = []
+    for k, shape in enumerate(scene.shapes):
+        own: dict[str, Json] = {"mesh": meshes[k]} if k in meshes else {}
+        own["numbers"] = {role: scene.first(value) for role, value in shape.numbers.items() if role in _VALUES}
+        own["parts"] = [_part(scene, part) for part in shape.parts]
+        found.append(fields(shape, "kind name texts", span=_span(shape.spans, source), **own))
+    return found
 
 
+# A contact or a friction is blamed by its own name, anything else by its condition.
+_NAMED = (Contact, Friction)
 # Of these a page tells the values; places stand in the parts.
 _VALUES = frozenset({"vector", "value", "mode"})
+_USUAL = Part(numbers={})
 
 
-def _shape(shape: Shape, source: SourceFile | None) -> dict[str, Json]:
-    return {
-        "kind": shape.kind,
-        "name": shape.name,
-        "numbers": {role: column for role, column in shape.numbers if role in _VALUES},
-        "parts": [_part(part) for part in shape.parts],
-        "texts": dict(shape.texts),
-        "span": _span(shape.spans, source),
-    }
-
-
-def _part(part: Part) -> Json:
+def _part(scene: Scene, part: Part) -> Json:
     """Without what it shares with most others."""
-    told: dict[str, Json] = {"primitive": part.primitive, "numbers": dict(part.numbers), "color": part.color}
+    numbers = {role: scene.first(value) for role, value in part.numbers.items()}
+    told = fields(part, "primitive color", numbers=numbers)
     if part.primitive in ("surface", "line"):
-        sizes = [[size.factor, -1 if size.column is None else size.column, size.relative] for size in part.sizes]
+        columns = (-1 if size.value is None else scene.first(size.value) for size in part.sizes)
+        sizes = [[size.factor, column, size.relative] for size, column in zip(part.sizes, columns, strict=True)]
         told |= {"form": part.form, "sizes": sizes}
-    usual = Part(numbers=())
-    names = ("shade", "opacity", "scale", "still", "offset", "count", "board")
-    return {**told, **{name: getattr(part, name) for name in names if getattr(part, name) != getattr(usual, name)}}
+    if part.points:
+        told |= {"numbers": {"points": scene.first(part.points)}, "count": len(part.points)}
+    own, usual = (fields(each, "shade opacity scale still offset board") for each in (part, _USUAL))
+    return told | {name: value for name, value in own.items() if value != usual[name]}
 
 
 def _span(spans: Spans, source: SourceFile | None) -> Json:

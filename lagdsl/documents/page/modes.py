@@ -8,10 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from lagdsl.documents.page.head import Json, head_of
+from lagdsl.documents.page.head import Json, fields, finite, head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import recording_of
-from lagdsl.documents.plot.picture.recording import Prepared, Recording, parameters_of, prepare
+from lagdsl.documents.plot.picture.recording import Prepared, Recording, parameters_of, prepare, recording_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.source import SourceFile
@@ -27,7 +26,6 @@ _PERIODS, _CONSTANTS = 3.0, 4.0
 _SECONDS = 2.0  # that a period takes to watch
 # Displacement of the point that moves most, in lengths of the machine, and the largest change of a coordinate.
 _REACH, _LARGEST = 0.12, 0.5
-_OF_THRESHOLDS = ("value", "kind", "frequency", "unstable_above")
 LEVELS = (("small", 0.4), ("medium", 1.0), ("large", 2.0))
 
 
@@ -62,12 +60,11 @@ def modes_page(
 
 def _told(modes: Modes, i: int) -> Json:
     s = complex(modes.eigenvalues[i])
-    constant, damping = float(modes.time_constants[i]), float(modes.damping[i])
     return {
         "eigenvalue": [s.real, s.imag],
         "frequency": float(modes.frequencies[i]),
-        "damping": damping if math.isfinite(damping) else None,
-        "constant": constant if math.isfinite(constant) else None,
+        "damping": finite(float(modes.damping[i])),
+        "constant": finite(float(modes.time_constants[i])),
         "shape": [
             {"name": place.name, "size": abs(entry), "phase": phase_of(entry)}
             for place, entry in zip(modes.places, modes.shapes[i].tolist(), strict=True)
@@ -76,15 +73,11 @@ def _told(modes: Modes, i: int) -> Json:
 
 
 def _locus(variation: Variation) -> Json:
-    return {
-        "name": variation.varied.name,
-        "unit": variation.varied.unit,
-        "values": variation.values.tolist(),
-        "eigenvalues": [
-            [[s.real, s.imag] if math.isfinite(abs(s)) else None for s in row] for row in variation.eigenvalues.tolist()
-        ],
-        "thresholds": [{name: getattr(each, name) for name in _OF_THRESHOLDS} for each in variation.thresholds],
-    }
+    rows = variation.eigenvalues.tolist()
+    eigenvalues = [[[s.real, s.imag] if math.isfinite(abs(s)) else None for s in row] for row in rows]
+    thresholds = [fields(each, "value kind frequency unstable_above") for each in variation.thresholds]
+    values = variation.values.tolist()
+    return fields(variation.varied, "name unit", values=values, eigenvalues=eigenvalues, thresholds=thresholds)
 
 
 def _runs(prepared: Prepared, modes: Modes, i: int, p: Floats, still: Recording) -> list[Run]:
@@ -153,5 +146,5 @@ def _places(made: Recording) -> Floats:
     """The places (n, 3) of the scene at the first row, but for frames."""
     numbers = np.array([column.values[0] for column in made.motion.columns[-len(made.scene.columns) :]])
     shapes = (shape for shape in made.scene.shapes if shape.kind != "frame")
-    firsts = [first for shape in shapes for role, first in shape.numbers if role in ("at", "to")]
-    return np.array([numbers[first : first + 3] for first in firsts]).reshape(-1, 3)
+    places = [value for shape in shapes for role, value in shape.numbers.items() if role in ("at", "to")]
+    return np.array([made.scene.values(numbers, place) for place in places]).reshape(-1, 3)

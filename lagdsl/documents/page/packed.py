@@ -47,7 +47,7 @@ def packed_meshes(
     to say of those not drawn."""
     unique = {id(mesh): mesh for mesh in found.values()}
     places = {key: place for place, key in enumerate(unique)}
-    left = [dict(s.texts).get("file", "") for k, s in enumerate(shapes) if s.kind == "mesh" and k not in found]
+    left = [s.texts.get("file", "") for k, s in enumerate(shapes) if s.kind == "mesh" and k not in found]
     return [packed(mesh) for mesh in unique.values()], {k: places[id(mesh)] for k, mesh in found.items()}, _words(left)
 
 

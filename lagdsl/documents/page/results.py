@@ -10,9 +10,9 @@ import numpy as np
 
 from lagdsl.documents.page.head import head_of
 from lagdsl.documents.page.runs import Run, page_of_runs
-from lagdsl.documents.page.states import recording_of
-from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare
+from lagdsl.documents.plot.picture.recording import Prepared, parameters_of, prepare, recording_of
 from lagdsl.documents.plot.picture.wishes import Wishes
+from lagdsl.foundation.columns.csv_file import in_si_units
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
 from lagdsl.foundation.numerics.rank import Floats
@@ -73,11 +73,9 @@ def _checked(flat: FlatModel, tables: Tables, file: str) -> tuple[Floats, dict[s
             raise ValueError(f"{file} has no column `{name}`: a row needs all {_NEEDED[kind]} of {flat.name}")
     values = {}
     for name, table in tables.items():
-        given, wanted = parse_unit(table.unit), parse_unit(heads[name][0])
-        if table.unit and given.dimension != wanted.dimension:
+        if table.unit and parse_unit(table.unit).dimension != parse_unit(heads[name][0]).dimension:
             raise ValueError(f"{file}: `{name}` is in {heads[name][0]}, the file has it in {table.unit}")
-        numbers = np.array(table.values, dtype=np.float64)
-        values[name] = numbers * given.factor + given.offset if table.unit else numbers
+        values[name] = np.array(in_si_units(list(table.values), table.unit))
     return np.array(next(iter(tables.values())).times, dtype=np.float64), values
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from lagdsl.documents.page.head import Json, head_of, occurrences
+from lagdsl.documents.page.head import Json, fields, head_of, occurrences
 from lagdsl.documents.page.page import html_of, starts_of
 from lagdsl.documents.plot.picture.recording import Recording, prepare, recorded
 from lagdsl.documents.plot.picture.wishes import Wishes
@@ -104,18 +104,10 @@ def page_of_runs(
 ) -> str:
     """`head` is that of the first run; without a tape nothing is integrated anew. `compilation` is that of the model if
     there is one."""
-    told: list[Json] = [
-        {
-            "label": run.label,
-            "rows": len(run.motion),
-            "start": run.span[0],
-            "stop": run.span[1],
-            "pace": run.pace,
-            "said": run.said,
-            "parameters": None if run.p is None else list(run.p),
-            "events": occurrences(run.motion),
-        }
-        for run in runs
-    ]
+    told: list[Json] = []
+    for run in runs:
+        start, stop = run.span
+        more: dict[str, Json] = {"rows": len(run.motion), "parameters": run.p, "events": occurrences(run.motion)}
+        told.append(fields(run, "label pace said", start=start, stop=stop, **more))
     whole = {**head, "live": bool(model_tape), "runs": told}
     return html_of(flat, whole, [run.motion for run in runs], model_tape, compilation=compilation)

@@ -4,48 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
-from lagdsl.language.settings.arrays import family
+from lagdsl.language.settings.arrays import columns_among, names_in
 
 # Besides the columns: the energy of the rows.
 ENERGY = "energy"
 
 
-class UnknownColumn(KeyError):  # noqa: N818  it is the name that is wrong
-    """A name that no column has; the text tells the nearest one.
-
-    Built from the text and the name.
-    """
-
-    def __str__(self) -> str:
-        return str(self.args[0])
-
-
-def names_in(text: str) -> list[str]:
-    """The names between commas that stand in no brackets: `m[1,2], der(x)` are two."""
-    found, depth = [""], 0
-    for character in text:
-        depth += (character in "([{") - (character in ")]}")
-        if character == "," and depth == 0:
-            found.append("")
-        else:
-            found[-1] += character
-    return [name.strip() for name in found if name.strip()]
-
-
 def columns_in(text: str, known: Collection[str]) -> list[str]:
-    """The columns that `text` names, each once; an array stands for its elements. Raises UnknownColumn, and ValueError
-    for a text without a name."""
-    found: dict[str, None] = {}
-    for name in names_in(text):
-        elements = [name] if name in known else family(name, known)
-        if not elements:
-            hint = did_you_mean(name, known, f"there are {listing(name, known)}")
-            raise UnknownColumn(f"there is no column `{name}`; {hint}", name)
-        found |= dict.fromkeys(elements)
+    """The columns that `text` names, as `columns_among`. Raises ValueError for a text without a name, too."""
+    found = columns_among(names_in(text), known)
     if not found:
         raise ValueError("a plot needs the name of a column, as in `theta, der(theta)`")
-    return list(found)
+    return found
 
 
 def panels_of(show: str | Sequence[str] | None, known: Collection[str]) -> list[list[str]]:

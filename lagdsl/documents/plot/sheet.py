@@ -1,9 +1,10 @@
-"""Parts of all figures: Matplotlib without a window, colors, style, files."""
+"""Parts of all figures: Matplotlib without a window, colors, style, files; the icon of a model."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from lagdsl.motion.signals.trajectory import Trajectory
+
 # Endings of files that a figure can be written to.
 FORMS = (".eps", ".jpg", ".pdf", ".png", ".svg", ".webp")
 # Okabe and Ito's colors, told apart with any kind of color vision.
@@ -21,6 +24,7 @@ LINES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
 DARK = "#333333"
 _MOST_LINES = 100
 _MARKS = "#999999"
+_STAMPS: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {"Software": None}}
 _STYLE: dict[str, Any] = {
     "font.size": 9,
     "axes.spines.top": False,
@@ -37,6 +41,11 @@ _STYLE: dict[str, Any] = {
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
 }
+
+
+# Of an icon; the largest letters that still leave a long name within it.
+_CURVES, _INCHES, _DOTS = 3, 2.0, 128
+_LARGEST, _WIDTH = 16.0, 210.0
 
 
 @contextmanager
@@ -57,11 +66,37 @@ def sheet(size: tuple[float, float], path: Path | str | None = None, **given: An
             save(figure, path)
 
 
-def save(figure: Figure, path: Path | str) -> None:
-    """In the form of the suffix; a file without one, as drafts of atomic writing have, is a PNG."""
-    suffix = Path(path).suffix.lstrip(".").lower()
-    known = suffix in figure.canvas.get_supported_filetypes()
-    figure.savefig(path, dpi=150, format=suffix if known else "png")
+def save(figure: Figure, file: Path | str | BytesIO, dpi: float = 150.0) -> None:
+    """In the form of the suffix; a file without one, as drafts of atomic writing have, is a PNG. The same figure gives
+    the same bytes at any time, and does not tell which version of Matplotlib made a PNG."""
+    import matplotlib as mpl
+
+    suffix = "" if isinstance(file, BytesIO) else Path(file).suffix.lstrip(".").lower()
+    form = suffix if suffix in figure.canvas.get_supported_filetypes() else "png"
+    with mpl.rc_context({"svg.hashsalt": "lagdsl"}):
+        figure.savefig(file, dpi=dpi, format=form, metadata=_STAMPS.get(form))
+
+
+def icon(trajectory: Trajectory) -> bytes:
+    """A small square picture of a model for lists and diagrams of other tools: its first curves, without axes, as a PNG
+    of 256 x 256 pixels. Needs the extra `plot`."""
+    with sheet((_INCHES, _INCHES), layout=None) as figure:
+        axes = figure.add_axes((0.08, 0.2, 0.84, 0.72))
+        axes.set_axis_off()
+        for color, column in zip(COLORS, trajectory.columns[1 : 1 + _CURVES], strict=False):
+            low, high = np.min(column.values), np.max(column.values)
+            heights = (column.values - low) / (high - low) if high > low else np.full(len(trajectory), 0.5)
+            axes.plot(trajectory.time, heights, color=color, linewidth=2.2, solid_capstyle="round")
+        name = escaped(trajectory.model)
+        size = min(_LARGEST, _WIDTH / max(len(name), 1))
+        figure.text(0.5, 0.06, name, ha="center", va="bottom", fontsize=size, fontweight="bold", color=DARK)
+        return png(figure, _DOTS)
+
+
+def png(figure: Figure, dots: int = 110) -> bytes:
+    file = BytesIO()
+    save(figure, file, dots)
+    return file.getvalue()
 
 
 def title(panel: Axes, text: str) -> None:

@@ -47,13 +47,16 @@ class Caption:
     at: Place
 
 
+Mark: TypeAlias = Stroke | Ball | Arrow | Caption
+
+
 @dataclass(frozen=True, slots=True)
 class Figure:
     """`words` say what is drawn, for those who do not see it."""
 
     width: float
     height: float
-    marks: tuple[Stroke | Ball | Arrow | Caption, ...]
+    marks: tuple[Mark, ...]
     words: str
 
 

@@ -29,7 +29,7 @@ def documentation_files(export_model: ExportModel, known: Reference | None, head
     picture = None
     if known is not None and drawn:
         from lagdsl.documents.plot.figure import plot
-        from lagdsl.documents.plot.icon import icon, png
+        from lagdsl.documents.plot.sheet import icon, png
 
         picture = png(plot(known.motion))
         files[_ICON[export_model.table.version]] = icon(known.motion)

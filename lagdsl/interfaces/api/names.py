@@ -41,7 +41,7 @@ def listed(given: Sequence[str] | str) -> Sequence[str]:
     """Names, also as one text with commas between them."""
     if not isinstance(given, str):
         return given
-    from lagdsl.motion.fit.unknowns import names_in
+    from lagdsl.language.settings.arrays import names_in
 
     return names_in(given)
 

@@ -6,23 +6,18 @@ from collections.abc import Iterable, Sequence
 
 import click
 
-from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
 from lagdsl.language.flat.model import Definition, FlatModel
-from lagdsl.language.settings.arrays import family
+from lagdsl.language.settings.arrays import UnknownColumn, columns_among
 from lagdsl.motion.simulate.table import called_heads
 
 
 def columns_of(names: tuple[str, ...], models: Sequence[FlatModel]) -> tuple[str, ...] | None:
     """The columns to keep, all of which some model has; None for all columns. An array stands for its elements."""
     known = dict.fromkeys(name for flat in models for name in called_heads(flat) if name != "time")
-    kept: dict[str, None] = {}
-    for name in names:
-        elements = [name] if name in known else family(name, known)
-        if not elements:
-            hint = did_you_mean(name, known, f"there are {listing(name, known)}")
-            raise click.UsageError(f"there is no column `{name}`; {hint}{way_to_column(name, models)}")
-        kept |= dict.fromkeys(elements)
-    return tuple(kept) or None
+    try:
+        return tuple(columns_among(names, known)) or None
+    except UnknownColumn as error:
+        raise click.UsageError(f"{error}{way_to_column(error.args[1], models)}") from error
 
 
 def way_to_column(name: str, models: Iterable[FlatModel]) -> str:

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import click
 
-from lagdsl.documents.plot.names import ENERGY, UnknownColumn, panels_of, paths_of
+from lagdsl.documents.plot.names import ENERGY, panels_of, paths_of
 from lagdsl.foundation.record import record
 from lagdsl.interfaces.cli.columns import way_to_column
 from lagdsl.interfaces.cli.groups import PATH, Decorator, group
 from lagdsl.interfaces.cli.output import draft_of, require_figure, require_writable
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.language.settings.arrays import UnknownColumn
 from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.table import called_heads
 

@@ -3,18 +3,47 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
+from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
 from lagdsl.language.settings.failure import SettingError, short
 from lagdsl.language.settings.pieces import pieces_of
 
 _SUBSCRIPT = re.compile(r"\[[^\[\]]*\]")
+_COMMA = re.compile(r",(?![^\[(]*[\])])")
 _BRACES = re.compile(r"\s*\{(.*)\}\s*([^{}]*?)\s*", re.DOTALL)
+
+
+class UnknownColumn(KeyError):  # noqa: N818  it is the name that is wrong
+    """A name that no column has; the text tells the nearest one.
+
+    Built from the text and the name.
+    """
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def names_in(text: str) -> list[str]:
+    """`c, I[1,2], theta.start` as names."""
+    return [piece.strip() for piece in _COMMA.split(text) if piece.strip()]
 
 
 def family(name: str, known: Iterable[str]) -> list[str]:
     """The elements of the array `name`, in their order; none where it is no array."""
     return [each for each in known if each != name and "[" in each and without_subscripts(each) == name]
+
+
+def columns_among(names: Iterable[str], known: Collection[str]) -> list[str]:
+    """The columns of these names, each once; an array stands for its elements. Raises UnknownColumn."""
+    found: dict[str, None] = {}
+    for name in names:
+        elements = [name] if name in known else family(name, known)
+        if not elements:
+            hint = did_you_mean(name, known, f"there are {listing(name, known)}")
+            raise UnknownColumn(f"there is no column `{name}`; {hint}", name)
+        found |= dict.fromkeys(elements)
+    return list(found)
 
 
 def without_subscripts(name: str) -> str:

@@ -12,12 +12,12 @@ from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.display import Display
-from lagdsl.language.settings.arrays import family
+from lagdsl.language.settings.arrays import family, names_in
 from lagdsl.motion.fit.data import Series
 from lagdsl.motion.fit.derivatives import derivatives_of_runs
 from lagdsl.motion.fit.fit import RunGiven, parameters_of, values_of
 from lagdsl.motion.fit.rollout import Derivatives, Rollout
-from lagdsl.motion.fit.unknowns import found_targets, limits_of, names_in, unknown_of
+from lagdsl.motion.fit.unknowns import found_targets, limits_of, unknown_of
 from lagdsl.motion.pipeline import Compilation
 from lagdsl.motion.simulate.simulate import check_options
 from lagdsl.motion.simulate.table import called_heads

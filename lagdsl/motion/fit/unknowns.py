@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from math import inf
@@ -13,15 +12,13 @@ from lagdsl.foundation.diagnostics.unknown import unknown_among
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.model import FlatModel, Parameter
 from lagdsl.language.settings.aliases import own_name
-from lagdsl.language.settings.arrays import family
+from lagdsl.language.settings.arrays import family, names_in
 from lagdsl.language.settings.target import Target, targets, value_of
 
 # Lower and upper bound: numbers in SI units or texts such as `2 kg`; None for one that there is not.
 Bounds: TypeAlias = "tuple[float | str | None, float | str | None] | None"
 # Names with bounds, names alone, or one text with commas.
 Free: TypeAlias = "Mapping[str, Bounds] | Sequence[str] | str"
-
-_COMMA = re.compile(r",(?![^\[(]*[\])])")
 
 
 @record(kw_only=True)
@@ -36,11 +33,6 @@ class Unknown:
     high: float
     size: float
     run: int | None = None
-
-
-def names_in(text: str) -> list[str]:
-    """`c, I[1,2], theta.start` as names."""
-    return [piece.strip() for piece in _COMMA.split(text) if piece.strip()]
 
 
 def found_targets(flat: FlatModel, names: Collection[str], what: str = "parameter or start value") -> list[Target]:

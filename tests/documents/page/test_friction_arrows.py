@@ -16,6 +16,7 @@ from lagdsl.derivation.scene.vectors import with_vectors
 from lagdsl.engines.runtime.engines.selection import engine_of
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
+from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.motion.pipeline import compile_flat
 from lagdsl.motion.signals.trajectory import Trajectory
@@ -25,18 +26,25 @@ OPEN, SLIDES, STICKS = 0.0, 1.0, 2.0
 G = 9.80665
 
 
+@record()
+class Rubbed:
+    """A friction, and its numbers along the motion by role."""
+
+    shape: Shape
+    numbers: dict[str, Floats]
+
+
 @cache
-def moved(source: str | Path) -> tuple[Trajectory, tuple[Shape, ...]]:
+def moved(source: str | Path) -> tuple[Trajectory, tuple[Rubbed, ...]]:
     pointed = with_vectors(compiled(source).flat)
     made = compile_flat(pointed.flat, Sink())
     assert made is not None
-    shapes = tuple(shape for shape in pointed.scene.shapes if shape.kind == "friction")
-    return simulate(engine_of(made.program, "tape"), made.flat, interval=0.01), shapes
-
-
-def column(motion: Trajectory, shape: Shape, role: str, count: int = 1) -> Floats:
-    first = dict(shape.numbers)[role]
-    return np.stack([motion[f"scene[{first + k}]"] for k in range(1, count + 1)], axis=-1).squeeze()
+    motion, scene = simulate(engine_of(made.program, "tape"), made.flat, interval=0.01), pointed.scene
+    rows = np.stack([motion[f"scene[{k + 1}]"] for k in range(len(scene.columns))], axis=-1)
+    shapes = (shape for shape in scene.shapes if shape.kind == "friction")
+    return motion, tuple(
+        Rubbed(each, {role: scene.values(rows, value) for role, value in each.numbers.items()}) for each in shapes
+    )
 
 
 def test_the_force_on_a_block_that_slides_and_sticks() -> None:
@@ -45,33 +53,33 @@ def test_the_force_on_a_block_that_slides_and_sticks() -> None:
     angle, mu, stops = np.deg2rad(20.0), 0.5, 2.0 / (G * (np.sin(np.deg2rad(20.0)) + 0.5 * np.cos(np.deg2rad(20.0))))
     before, behind = motion.time < stops - 1e-6, motion.time > stops + 1e-6
     up = np.array([np.cos(angle), np.sin(angle), 0.0])
-    force = column(motion, arrow, "vector", 3)
+    force = arrow.numbers["vector"]
     assert force[before] == pytest.approx(np.tile(-mu * G * np.cos(angle) * up, (before.sum(), 1)), abs=1e-9)
     assert force[behind] == pytest.approx(np.tile(G * np.sin(angle) * up, (behind.sum(), 1)), abs=1e-9)
-    mode = column(motion, arrow, "mode")
+    mode = arrow.numbers["mode"]
     assert set(mode[before]) == {SLIDES}
     assert set(mode[behind]) == {STICKS}
-    at = column(motion, arrow, "at", 3)
+    at = arrow.numbers["at"]
     assert at == pytest.approx(motion["s"][:, None] * up, abs=1e-9)
 
 
 def test_a_clutch_has_a_value_and_no_arrow() -> None:
-    motion, (shape,) = moved(MODELS / "clutch.lag")
-    assert "vector" not in dict(shape.numbers)
-    assert dict(shape.texts)["unit"] == "N.m"
-    sticks = column(motion, shape, "mode") == STICKS
-    assert np.abs(column(motion, shape, "value"))[~sticks] == pytest.approx(40.0)
-    assert column(motion, shape, "value")[-1] == pytest.approx(-18.0)  # drive less J1 times the common acceleration
+    _, (shape,) = moved(MODELS / "clutch.lag")
+    assert "vector" not in shape.numbers
+    assert shape.shape.texts["unit"] == "N.m"
+    sticks = shape.numbers["mode"] == STICKS
+    assert np.abs(shape.numbers["value"])[~sticks] == pytest.approx(40.0)
+    assert shape.numbers["value"][-1] == pytest.approx(-18.0)  # drive less J1 times the common acceleration
 
 
 def test_friction_under_an_open_contact_is_open() -> None:
     motion, shapes = moved(MODELS / "ladder_with_friction.lag")
-    wall = next(shape for shape in shapes if shape.name == "wall.friction")
+    wall = next(shape for shape in shapes if shape.shape.name == "wall.friction")
     left = motion.events[-1]
     assert (left.name, left.kind) == ("wall", "opened")
     away = motion.time > left.time + 1e-6
-    assert set(column(motion, wall, "mode")[away]) == {OPEN}
-    assert not column(motion, wall, "vector", 3)[away].any()
+    assert set(wall.numbers["mode"][away]) == {OPEN}
+    assert not wall.numbers["vector"][away].any()
 
 
 def places_of(source: str | Path, name: str) -> list[tuple[object, ...]]:

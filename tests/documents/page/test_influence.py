@@ -14,7 +14,7 @@ from page.pages import MODELS, Elements, page_of
 from page.test_live import answered, needs_node
 
 from lagdsl import compile as compile_model
-from lagdsl.documents.page.words import WORDS
+from lagdsl.documents.page.head import WORDS
 from lagdsl.engines.runtime.structures import Status
 
 # A stop time for each, and what its motion is differentiated by.

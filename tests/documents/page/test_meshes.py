@@ -14,11 +14,10 @@ from meshes.solids import binary_stl, collada
 from page.pages import Elements, inflated
 
 import lagdsl
+from lagdsl.derivation.scene.drawings import meshes_of
 from lagdsl.derivation.scene.living import scene_of
-from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.stage import stage_of
-from lagdsl.documents.plot.picture.faces import Faces
-from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
+from lagdsl.documents.plot.picture.shapes import GAUGES, Faces, parts_of
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.motion.pipeline import flatten_file, read
@@ -129,19 +128,18 @@ def test_pictures_have_the_corners_in_place(scale: str, sizes: tuple[float, ...]
     scene = scene_of(flat)
     row = np.zeros((1, len(scene.columns)))
     (shape,) = [each for each in scene.shapes if each.kind == "mesh"]
-    numbers = dict(shape.numbers)
+    [part] = shape.parts
     placed = {"at": (10, 0, 0), "x": (0, 1, 0), "z": (0, 0, 1)}
     for role, values in placed.items():
-        row[0, numbers[role] : numbers[role] + 3] = values
-    if scale.startswith("{"):
-        row[0, numbers["scales"] : numbers["scales"] + 3] = sizes
-    elif scale:
-        row[0, numbers["scale"]] = sizes[0]
+        row[0, scene.places[part.numbers[role]]] = values
+    for size, given_size in zip(part.sizes, sizes, strict=True):
+        if size.value is not None:
+            row[0, scene.first(size.value)] = given_size
     painted = parts_of(stage_of(scene, row, (0, 0, 1)), 0, without=GAUGES)
-    (part,) = [each for each in painted if isinstance(each, Faces)]
-    a, b, c, d = np.moveaxis(part.corners, 1, 0)
+    (faces,) = [each for each in painted if isinstance(each, Faces)]
+    a, b, c, d = np.moveaxis(faces.corners, 1, 0)
     assert np.sum(a * (np.cross(b, c) + np.cross(c, d))) / 6.0 == pytest.approx(6.0 * abs(np.prod(sizes)))
-    box = np.array([part.corners.min(axis=(0, 1)), part.corners.max(axis=(0, 1))])
+    box = np.array([faces.corners.min(axis=(0, 1)), faces.corners.max(axis=(0, 1))])
     ends = np.array([[10.0, 0.0, 0.0], [10.0 - 2.0 * sizes[1], 1.0 * sizes[0], 3.0 * sizes[2]]])
     assert box == pytest.approx(np.sort(ends, axis=0))
 

@@ -93,9 +93,7 @@ def test_a_contact_has_its_ground() -> None:
     found = scene_of(flat)
     ground = shape(found, "ground")
     at = Evaluator(flat, Values(variables={"x": 3.0, "h": 0.7}))
-    values = np.array([at.scalar(column) for column in found.columns])
-    normal = values[dict(ground.numbers)["normal"] :][:3]
-    foot = values[dict(ground.numbers)["at"] :][:3]
+    normal, foot = at.vector(ground.parts[0].numbers["z"]), at.vector(ground.numbers["at"])
     up = np.array([-np.sin(np.pi / 6), np.cos(np.pi / 6), 0.0])
     assert np.abs(normal - up).max() < 1e-12
     assert abs(foot @ up) < 1e-12
@@ -137,7 +135,7 @@ def test_the_body_of_a_component_is_seen_by_its_inertia_and_a_point_by_a_ball_on
     )
     assert kinds(found)["body"] == kinds(found)["sphere"] == kinds(found)["rope"] == 1
     arm, ball = shape(found, "rope"), shape(found, "sphere")
-    assert dict(arm.numbers)["to"] == dict(ball.numbers)["at"]
+    assert arm.numbers["to"] is ball.numbers["at"]
 
 
 def test_bodies_of_an_array_have_arms_of_their_own() -> None:
@@ -145,7 +143,7 @@ def test_bodies_of_an_array_have_arms_of_their_own() -> None:
         "import Lag.Spatial.*; Revolute joint[2]; Body weight[2](each m = 1 kg, each com = {1, 0, 0}); gravity = 0;"
         "for i in 1:2 loop connect(world, joint[i], weight[i]); end for;"
     )
-    arms = [dict(each.numbers) for each in found.shapes if each.kind == "rope"]
+    arms = [each.numbers for each in found.shapes if each.kind == "rope"]
     assert len(arms) == len({each["at"] for each in arms}) == len({each["to"] for each in arms}) == 2
 
 
@@ -195,13 +193,13 @@ def test_contacts_look_at_their_own_coordinates_only(monkeypatch: pytest.MonkeyP
     """A row of balls over the floor: each of its contacts asks for as many positions as that of one ball; the floor is
     drawn once."""
     asked: list[int] = []
-    evaluator = rules.evaluator_at
+    evaluator = rules.Machine.at
 
     def counted(*arguments: Any, **options: Any) -> Evaluator:
         asked.append(1)
         return evaluator(*arguments, **options)
 
-    monkeypatch.setattr(rules, "evaluator_at", counted)
+    monkeypatch.setattr(rules.Machine, "at", counted)
     counts = []
     for n in (2, 12):
         ball = "coordinate Length x{k}, h{k}(start = 1 m); mass 1 kg at {{x{k}, h{k}}};"
@@ -330,7 +328,7 @@ def test_symbols_and_wires_of_a_circuit_meet_and_do_not_lie_on_each_other() -> N
         "Resistor c(R = 1 Ohm), d(R = 1 Ohm); Inductor l(L = 1 H); connect(s.p, a.p, b.p); connect(a.n, c.p, l.p);"
         "connect(b.n, d.p, l.n); connect(s.n, c.n, d.n, e.p);"
     )
-    strokes = [each for each in found if each.has("to")]
+    strokes = [each for each in found if "to" in each.part.numbers]
     ends = [{tuple(np.round(each.vector(role), 9)) for role in ("at", "to")} for each in strokes]
     symbols = [k for k, each in enumerate(strokes) if each.part.form not in ("beam", "earth")]
     middles = {tuple(np.round(strokes[k].vector("at") + strokes[k].vector("to"), 9)) for k in symbols}
@@ -342,12 +340,12 @@ def test_symbols_and_wires_of_a_circuit_meet_and_do_not_lie_on_each_other() -> N
 def test_the_current_turns_the_arrow_of_its_branch() -> None:
     body = "coordinate Charge q; kinetic (1 H)/2*der(q)^2; potential q^2/(2 F);"
     found = scene(body)
-    vector = dict(shape(found, "branch").numbers)["vector"]
+    vector = shape(found, "branch").numbers["vector"]
     flat = compiled(f"model M\n{body}\nend M;\n").flat
     currents = []
     for rate in (2.0, -1.0):
         at = Evaluator(flat, Values(rates={"q": rate}))
-        currents.append(np.array([at.scalar(column) for column in found.columns[vector : vector + 3]]))
+        currents.append(at.vector(vector))
     np.testing.assert_allclose(currents[0], -2.0 * currents[1], atol=1e-12)
     assert np.linalg.norm(currents[1]) == pytest.approx(1.0)
 

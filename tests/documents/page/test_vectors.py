@@ -52,9 +52,8 @@ def moved(
     motion = simulate(engine_of(made.program, "tape"), made.flat, interval=0.05, stop=stop)
     found = {}
     for shape in pointed.scene.shapes:
-        first = dict(shape.numbers)["vector"]
-        texts = dict(shape.texts)
-        name = f"{shape.kind} {shape.name} {texts.get('coordinate', '')}".strip()
+        first = pointed.scene.first(shape.numbers["vector"])
+        name = f"{shape.kind} {shape.name} {shape.texts.get('coordinate', '')}".strip()
         found[name] = np.stack([motion[f"scene[{first + k}]"] for k in (1, 2, 3)], axis=1)
     return motion, found
 

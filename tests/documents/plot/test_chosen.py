@@ -11,7 +11,8 @@ from choice import spread
 from plot.motions import ANGLE, T, bounces, column, trajectory
 
 from lagdsl.documents.plot.figure import plot_of
-from lagdsl.documents.plot.names import columns_in, names_in, paths_of
+from lagdsl.documents.plot.names import columns_in, paths_of
+from lagdsl.language.settings.arrays import names_in
 
 SPIN = column("der(theta)", 5 * np.cos(5 * T), "rate", "deg/s", scale=180 / np.pi)
 X, Y = column("x", np.sin(T)), column("y", np.cos(T))

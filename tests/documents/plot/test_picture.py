@@ -16,10 +16,9 @@ from PIL import Image
 from lagdsl.derivation.scene.forms import FORMS, form
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.documents.plot.picture.draw import draw, prepared
-from lagdsl.documents.plot.picture.faces import Faces
 from lagdsl.documents.plot.picture.film import write_film, write_picture
 from lagdsl.documents.plot.picture.recording import prepare, recorded, staged
-from lagdsl.documents.plot.picture.shapes import parts_of
+from lagdsl.documents.plot.picture.shapes import Faces, parts_of
 from lagdsl.documents.plot.picture.wishes import Wishes
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.source import SourceFile

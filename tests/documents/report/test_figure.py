@@ -18,7 +18,7 @@ from lagdsl.derivation.textbook.recipe import recipe
 from lagdsl.documents.report.derivation import document, render
 from lagdsl.documents.report.document import Drawing
 from lagdsl.documents.report.figure.draw import outlines
-from lagdsl.documents.report.figure.lettering import width
+from lagdsl.documents.report.figure.labels import width
 from lagdsl.documents.report.marks import Arrow, Caption, Figure, Stroke
 from lagdsl.documents.report.unicode_math import line
 from lagdsl.foundation.diagnostics import Sink
@@ -123,7 +123,7 @@ def test_a_disc_is_a_ring_across_its_axis() -> None:
         np.array([0.0, 2.0, 0.0]), np.array([0.0, 0.0, 2.0]), np.array([0.1, 0.0, 0.0]), np.arange(1.0, 4.0)
     )
     [ring] = outlines("drum", matrix, lambda point: point[1:])
-    np.testing.assert_allclose([math.dist(point, (2.0, 3.0)) for point in ring], 2.0, rtol=1e-6)
+    np.testing.assert_allclose([math.dist(point[1:], (2.0, 3.0)) for point in ring], 2.0, rtol=1e-6)
     assert len(ring) == FINE + 1 and np.all(ring[0] == ring[-1])
 
 

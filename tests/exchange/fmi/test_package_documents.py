@@ -8,7 +8,7 @@ import struct
 
 import pytest
 
-from lagdsl.documents.plot.icon import icon
+from lagdsl.documents.plot.sheet import icon
 from lagdsl.engines.runtime.building import build as building
 from lagdsl.engines.runtime.building.platforms import platform_of, this_machine
 from lagdsl.exchange.fmi import documentation

@@ -202,11 +202,8 @@ def test_a_mesh_stands_where_mujoco_has_its_points(tmp_path: Path) -> None:
     scene = scene_of(flat)
     (shape,) = [each for each in scene.shapes if each.kind == "mesh"]
     evaluator = Evaluator(flat, Values())
-    at, x, y, z = (
-        np.array([evaluator.scalar(scene.columns[dict(shape.numbers)[role] + k]) for k in range(3)])
-        for role in ("at", "x", "y", "z")
-    )
-    own = np.array([0.1, 0.2, 0.3]) * np.array(corners()) @ np.array([x, y, z]) + at
+    at, x, z = (evaluator.vector(shape.parts[0].numbers[role]) for role in ("at", "x", "z"))
+    own = np.array([0.1, 0.2, 0.3]) * np.array(corners()) @ np.array([x, np.cross(z, x), z]) + at
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lagdsl.derivation.scene.stage import Stage
-from lagdsl.documents.plot.picture.faces import GRID, INK, PAPER, Faces, Painted, Words, lit
-from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
+from lagdsl.documents.plot.picture.shapes import GAUGES, Color, Faces, Painted, Words, parts_of
 from lagdsl.documents.plot.picture.view import View, steps_of, view_of
-from lagdsl.documents.plot.sheet import escaped, sheet
+from lagdsl.documents.plot.sheet import escaped, save, sheet
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
@@ -24,6 +23,9 @@ if TYPE_CHECKING:
 _INCHES = 6.4  # wide
 _DPI = 100
 _GHOST = 0.25
+PAPER, GRID, INK = "#f8fafc", "#dbe3ec", "#475569"
+# Over the left shoulder of the viewer: right, up, back.
+_SUN = np.array([0.35, 0.6, 0.72]) / np.linalg.norm([0.35, 0.6, 0.72])
 
 
 @record(kw_only=True)
@@ -70,15 +72,8 @@ def draw(picture: Drawn, row: int, ghosts: Sequence[int] = (), caption: str = ""
 
 
 def save_picture(picture: Drawn, path: Path | str, pixels: int = 1280) -> None:
-    """In the form of the suffix, PNG without one, `pixels` wide; the same bytes at any time."""
-    suffix = Path(path).suffix.lstrip(".").lower()
-    known = suffix in picture.figure.canvas.get_supported_filetypes()
-    form = suffix if known else "png"
-    stamp: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(form, {})
-    import matplotlib as mpl
-
-    with mpl.rc_context({"svg.hashsalt": "lagdsl"}):
-        picture.figure.savefig(path, dpi=pixels / _INCHES, format=form, facecolor=PAPER, metadata=stamp)
+    """In the form of the suffix, PNG without one, `pixels` wide."""
+    save(picture.figure, path, pixels / _INCHES)
 
 
 def _paint(picture: Drawn, parts: Sequence[Painted], opacity: float) -> None:
@@ -112,9 +107,16 @@ def _faces(view: View, part: Faces) -> tuple[Floats, Floats, Floats]:
     # The signed area of what is seen tells the side that is seen, in perspective too.
     (ax, ay), (bx, by) = (places[:, 2] - places[:, 0]).T, (places[:, 3] - places[:, 1]).T
     front = (ax * by - ay * bx > 0.0) if part.closed else np.ones(len(places), dtype=bool)
-    shades = np.broadcast_to(part.color, (len(places), 3)) if part.flat else lit(part.color, normals)
+    shades = np.broadcast_to(part.color, (len(places), 3)) if part.flat else _lit(part.color, normals)
     inks = np.concatenate([shades, np.full((len(places), 1), part.opacity)], axis=1)
     return places[front], inks[front], depth.mean(axis=1)[front]
+
+
+def _lit(color: Color, normals: Floats) -> Floats:
+    """Colors (n, 3) of faces whose unit normals (n, 3) are in the viewer's axes."""
+    bright = np.clip(normals @ _SUN, 0.0, 1.0)[:, None]
+    shade = np.array(color) * (0.62 + 0.43 * bright)
+    return np.asarray(np.clip(shade + 0.10 * bright**8, 0.0, 1.0))
 
 
 def _write(picture: Drawn, part: Words, opacity: float) -> None:

@@ -1,4 +1,4 @@
-"""The motion of a model with its scene: what pages and pictures show."""
+"""The motion of a model with its scene, or rows of given states: what pages and pictures show."""
 
 from __future__ import annotations
 
@@ -8,23 +8,25 @@ from dataclasses import replace
 import numpy as np
 
 from lagdsl.derivation.program.program import Layout
+from lagdsl.derivation.scene.drawings import meshes_of
 from lagdsl.derivation.scene.living import START, Living, living
 from lagdsl.derivation.scene.machine import up_of
-from lagdsl.derivation.scene.meshes import meshes_of
 from lagdsl.derivation.scene.shapes import Scene
 from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.plot.picture.wishes import Wishes
-from lagdsl.engines.runtime.engines.engine import Engine
+from lagdsl.engines.runtime.engines.engine import Engine, SingularSystem
 from lagdsl.engines.runtime.engines.selection import engine_of
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.listing import computed_outputs
 from lagdsl.language.flat.model import FlatModel
+from lagdsl.motion.analysis.point import Point
 from lagdsl.motion.pipeline import Compilation, compile_flat, compile_observed
-from lagdsl.motion.signals.trajectory import Trajectory
+from lagdsl.motion.signals.trajectory import Column, Event, Statistics, Trajectory
 from lagdsl.motion.simulate.failure import SimulationFailed
 from lagdsl.motion.simulate.simulate import simulate
+from lagdsl.motion.simulate.table import heads_of
 
 
 @record(kw_only=True)
@@ -99,6 +101,44 @@ def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = 
             told.add(diagnostic)
         motion, ended = failure.trajectory, failure.diagnostics[0].message
     return Recording(prepared=prepared, p=p, span=(t, end), tolerance=tolerance, motion=motion, ended=ended)
+
+
+def recording_of(prepared: Prepared, points: Sequence[Point], origin: str, events: Sequence[float] = ()) -> Recording:
+    """A row for each of `points` in the order of their times, with the parameters of the prepared model; outputs that
+    are not determined there are nan. `origin` tells where they are from; `events` [s] are between rows of one time."""
+    table = np.array([_row(prepared, point) for point in points])
+    flat = prepared.compilation.flat
+    zeros = np.zeros(len(table))
+    motion = Trajectory(
+        model=flat.name,
+        columns=tuple(
+            Column(name=name, unit=unit, kind=kind, display=display, values=np.ascontiguousarray(values))
+            for (name, unit, kind, display), values in zip(heads_of(flat), table[:, :-1].T, strict=True)
+        ),
+        checks=np.array([table[:, -1], zeros, zeros]),
+        invariants=(),
+        moved=(),
+        statistics=Statistics(solver=origin),
+        events=tuple(Event(time=t, name="event", kind="recorded") for t in events),
+    )
+    span = (float(motion.time[0]), float(motion.time[-1]))
+    tolerance = prepared.own.experiment.tolerance
+    return Recording(prepared=prepared, p=points[0].p, span=span, tolerance=tolerance, motion=motion, ended="")
+
+
+def _row(prepared: Prepared, point: Point) -> list[float]:
+    engine = prepared.engine
+    layout = engine.layout
+    with np.errstate(all="ignore"):
+        try:
+            qdd, lam = engine.solve(*point.arguments)
+        except SingularSystem:
+            qdd, lam = np.full(len(layout.coordinates), np.nan), np.full(len(layout.constraints), np.nan)
+        (y,) = engine.evaluate("output", *point.arguments, qdd, lam)
+        energy = engine.evaluate("energies", *point.arguments)[0]
+    moving = [*point.q.tolist(), *point.qd.tolist(), *point.z.tolist()]
+    count = len(heads_of(prepared.compilation.flat)) - 1 - len(moving) - len(y)
+    return [point.t, *moving, *point.w.tolist()[:count], *y.tolist(), float(np.ravel(energy)[0])]
 
 
 def parameters_of(layout: Layout, wishes: Wishes) -> Floats:

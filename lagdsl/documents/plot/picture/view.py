@@ -9,15 +9,14 @@ import numpy as np
 
 from lagdsl.derivation.scene.shapes import ShapeKind
 from lagdsl.derivation.scene.stage import Stage, places_of
-from lagdsl.documents.plot.picture.faces import Faces
-from lagdsl.documents.plot.picture.shapes import GAUGES, parts_of
+from lagdsl.documents.plot.picture.shapes import GAUGES, Faces, parts_of
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 
 _MARGIN = 0.07
 _ROWS = 24
 _ENDLESS: tuple[ShapeKind, ...] = ("ground", "rail", "track", "trace")
-# Of a picture: height over width.
+# Of a picture: height over width. It is neither a strip nor a pillar.
 _LOWEST, _HIGHEST = 0.45, 1.25
 
 
@@ -67,7 +66,9 @@ def view_of(stage: Stage, steps: Floats | None = None) -> View:
     places = whole.seen(every)[0]
     margin = _MARGIN * (stage.length if steps is None else float(np.linalg.norm(np.ptp(every, axis=0))))
     low, high = places.min(axis=0) - margin, places.max(axis=0) + margin
-    return View(turn=turn, eye=eye, center=stage.center, **_widened(low, high))
+    width, height = high - low
+    more = np.array([max(height / _HIGHEST - width, 0.0), max(_LOWEST * width - height, 0.0)]) / 2.0
+    return replace(whole, low=low - more, high=high + more)
 
 
 def _solid(stage: Stage, steps: Floats | None) -> Floats:
@@ -80,12 +81,5 @@ def _solid(stage: Stage, steps: Floats | None) -> Floats:
         own = [part.corners.reshape(-1, 3) if isinstance(part, Faces) else part.at[None, :] for part in parts]
         found += own if steps is None else [points - steps[row] for points in own]
     shapes = (shape for shape in stage.scene.shapes if shape.kind != "frame")
-    placed = any(role in ("at", "to") for shape in shapes for role, _ in shape.numbers)
+    placed = any(role in ("at", "to") for shape in shapes for role in shape.numbers)
     return np.concatenate([*found, stage.points] if placed and steps is None else found)
-
-
-def _widened(low: Floats, high: Floats) -> dict[str, Floats]:
-    """To a picture that is neither a strip nor a pillar."""
-    width, height = high - low
-    more = np.array([max(height / _HIGHEST - width, 0.0), max(_LOWEST * width - height, 0.0)]) / 2.0
-    return {"low": low - more, "high": high + more}

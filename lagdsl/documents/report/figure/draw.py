@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
 from lagdsl.derivation.scene.forms import triangles
 from lagdsl.derivation.scene.living import scene_of
-from lagdsl.derivation.scene.machine import gravity_of, up_of
+from lagdsl.derivation.scene.machine import gravity_of, number, up_of, vector
 from lagdsl.derivation.scene.posed import Posed, placed
 from lagdsl.derivation.scene.stage import Stage, stage_of
 from lagdsl.documents.report.boxes import Box, Derivative, bold
 from lagdsl.documents.report.figure.drawn_model import DrawnModel
-from lagdsl.documents.report.figure.labels import labelled
-from lagdsl.documents.report.figure.lettering import width
+from lagdsl.documents.report.figure.labels import labelled, width
 from lagdsl.documents.report.figure.pose import Pose, pose
-from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Place, Role, Stroke, Style
+from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Mark, Place, Role, Stroke, Style
 from lagdsl.documents.report.names import indexed
 from lagdsl.foundation.numerics.connected_blocks import connected_blocks
 from lagdsl.foundation.numerics.hull import hull
@@ -53,27 +52,20 @@ class _Sheet:
 
     project: Callable[[Floats], Floats]
     size: float = 1.0
-    marks: list[tuple[Sequence[Floats], Callable[..., Stroke | Ball | Arrow | Caption]]] = field(default_factory=list)
+    marks: list[tuple[Sequence[Floats], Callable[..., Mark]]] = field(default_factory=list)
     extent: list[Floats] = field(default_factory=list)
 
-    def outline(self, seen: Sequence[Floats], style: Style) -> None:
-        self.extent += () if style == "ground" else seen
-        self.marks.append((seen, lambda *at: Stroke(_across(*at) if style == "ground" else at, style)))
+    def add(self, points: Iterable[Floats], make: Callable[..., Mark], *, counted: bool = True) -> None:
+        seen = list(map(self.project, points))
+        self.extent += seen if counted else ()
+        self.marks.append((seen, make))
 
     def stroke(self, points: Iterable[Floats], style: Style) -> None:
-        self.outline(list(map(self.project, points)), style)
-
-    def ball(self, place: Floats, radius: float, *, hollow: bool) -> None:
-        self.extent.append(self.project(place))
-        self.marks.append((self.extent[-1:], lambda at: Ball(at, radius, hollow)))
+        ground = style == "ground"
+        self.add(points, lambda *at: Stroke(_across(*at) if ground else at, style), counted=not ground)
 
     def arrow(self, points: Iterable[Floats], role: Role, label: Box | None, number: int = 0) -> None:
-        seen = list(map(self.project, points))
-        self.extent += seen
-        self.marks.append((seen, lambda *at: Arrow(at, role, label, at[-1], number)))
-
-    def name(self, place: Floats, label: Box) -> None:
-        self.marks.append(([self.project(place)], lambda at: Caption(at, label, at)))
+        self.add(points, lambda *at: Arrow(at, role, label, at[-1], number))
 
 
 def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure | None:
@@ -81,16 +73,16 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
     of the model if there is one."""
     flat = drawn.flat
     found = pose(flat, compilation)
-    if found is None:
+    if found is None or not found.places or not any(found.moved(item.name) for item in flat.coordinates):
         return None
-    if not any(map(found.has, found.carriers)) or not any(_moved(found, item.name) for item in flat.coordinates):
-        return None
-    scene = scene_of(flat)
-    row = np.array([[found.scalar(each) for each in scene.columns]])
+    scene, at = scene_of(flat), found.at()
+    row = np.array([[number(at, each) for each in scene.columns]])
     stage = stage_of(scene, row, up_of(flat, planar=scene.planar))
     sheet = _Sheet(lambda point: np.asarray(stage.turn[:2] @ point))
     _parts(sheet, stage)
-    _masses(sheet, found)
+    points = len(flat.masses)
+    for k, place in found.places:
+        sheet.add([place], partial(Ball, radius=5.0 if k < points else 6.0, hollow=k >= points))
     spread = np.ptp([each for seen, _ in sheet.marks for each in seen], axis=0)
     sheet.size = float(max(spread)) or 1.0
     if drawn.in_full:
@@ -98,8 +90,8 @@ def figure(drawn: DrawnModel, compilation: Compilation | None = None) -> Figure 
         _weights(sheet, found, drawn)
     else:
         _names(sheet, found, drawn)
-    for number, item in enumerate(flat.coordinates[:_MOST_COORDINATES]):
-        _coordinate(sheet, found, drawn.coordinates[number], item, number)
+    for k, item in enumerate(flat.coordinates[:_MOST_COORDINATES]):
+        _coordinate(sheet, found, drawn.coordinates[k], item, k)
     _loads(sheet, found, drawn)
     return _placed(sheet, f"{flat.name} where its motion starts")
 
@@ -119,21 +111,19 @@ def _parts(sheet: _Sheet, stage: Stage) -> None:
             elif part.form in _STANDS:
                 x, place = posed.matrix()[:3, 0], posed.matrix()[:3, 3]
                 sheet.stroke([place - x, place + x], "ground")
-            elif posed.has("to") and shape.kind in _LINES:
+            elif "to" in part.numbers and shape.kind in _LINES:
                 sheet.stroke([posed.vector("at"), posed.vector("to")], _LINES[shape.kind])
             else:
                 for points in outlines(part.form, posed.matrix(), sheet.project):
-                    sheet.outline(points, "outline")
+                    sheet.stroke(points, "outline")
 
 
-def outlines(form: str, matrix: Floats, project: Callable[[Floats], Floats]) -> list[list[Floats]]:
-    """Closed lines around a unit form that `matrix` (4, 4) places, seen by `project`."""
-    found = []
+def outlines(form: str, matrix: Floats, project: Callable[[Floats], Floats]) -> Iterator[list[Floats]]:
+    """Closed lines (n, 3) around a unit form that `matrix` (4, 4) places, seen by `project`."""
     for piece in _pieces(form):
-        seen = np.array([project(point) for point in placed(piece, matrix)])
-        rim = hull(seen)
-        found.append([seen[k] for k in (*rim, rim[0])])
-    return found
+        points = placed(piece, matrix)
+        rim = hull(np.array([project(point) for point in points]))
+        yield [points[k] for k in (*rim, rim[0])]
 
 
 @cache
@@ -146,59 +136,41 @@ def _pieces(form: str) -> list[Floats]:
     return [mesh.points[labels == k] for k in np.unique(labels)]
 
 
-def _masses(sheet: _Sheet, found: Pose) -> None:
-    points = len(found.flat.masses)
-    for number, place in enumerate(map(found.vector, found.carriers)):
-        if np.isfinite(place).all():
-            sheet.ball(place, 5.0 if number < points else 6.0, hollow=number >= points)
-
-
-def _moved(found: Pose, coordinate: str) -> list[tuple[int, fx.FlatExpression, Floats]]:
-    """Masses that a coordinate moves, with the derivatives of their places."""
-    rates = ((k, each, found.rate(each, coordinate)) for k, each in enumerate(found.carriers))
-    return [(k, each, rate) for k, each, rate in rates if np.linalg.norm(rate) > 1e-9]
-
-
 def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """The masses and bodies of a machine without admissible motions, if they are few."""
-    if len(found.carriers) > _MOST_NAMES:
-        return
-    for expression, label in zip(found.carriers, drawn.carriers, strict=True):
-        if found.has(expression) and width(label) <= _LONGEST_NAME:
-            sheet.name(found.vector(expression), label)
+    for k, place in found.places if len(found.carriers) <= _MOST_NAMES else ():
+        if width(drawn.carriers[k]) <= _LONGEST_NAME:
+            sheet.add([place], lambda at, label=drawn.carriers[k]: Caption(at, label, at), counted=False)
 
 
 def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """∂r/∂q of every mass that a coordinate moves; arrows of one coordinate have one scale."""
-    moved = [_moved(found, item.name) for item in drawn.flat.coordinates]
+    moved = [found.moved(item.name) for item in drawn.flat.coordinates]
     count = sum(map(len, moved))
     if count > _MOST_ARROWS:
         return
-    for number, own in enumerate(moved):
-        longest = max((float(np.linalg.norm(rate)) for _, _, rate in own), default=1.0)
-        q = drawn.coordinates[number]
-        for k, expression, rate in own:
-            place = found.vector(expression)
-            few = count <= _MOST_LABELS
-            label = Derivative("∂", indexed(bold(drawn.letter("r")), drawn.carriers[k]), q) if few else None
-            end = place + rate / longest * _LENGTHS["motion"] * sheet.size
-            sheet.arrow([place, end], "motion", label, number)
+    for j, own in enumerate(moved):
+        longest = max((float(np.linalg.norm(rate)) for _, rate in own), default=1.0)
+        for k, rate in own:
+            place, r = found.vector(found.carriers[k]), indexed(bold(drawn.letter("r")), drawn.carriers[k])
+            label = Derivative("∂", r, drawn.coordinates[j]) if count <= _MOST_LABELS else None
+            sheet.arrow([place, place + rate / longest * _LENGTHS["motion"] * sheet.size], "motion", label, j)
 
 
 def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, number: int) -> None:
     """The way of the first mass from the zero of the coordinate: an arc about its center, or a line beside it."""
-    own = _moved(found, item.name)
+    own = found.moved(item.name)
     value = found.values[item.name]
     if not own:
         _turning(sheet, found, item, label, number)
         return
-    _, expression, rate = own[0]
-    place, speed = found.vector(expression), float(np.linalg.norm(rate))
+    k, rate = own[0]
+    place, speed = found.vector(found.carriers[k]), float(np.linalg.norm(rate))
 
     def at(step: float) -> Floats:
-        return found.along(expression, item.name, step)
+        return vector(found.at(moved={item.name: value + step}), found.carriers[k])
 
-    curve = (at(1e-3) - 2.0 * at(0.0) + at(-1e-3)) / 1e-6
+    curve = (at(1e-3) - 2.0 * place + at(-1e-3)) / 1e-6
     if item.unit == "rad" and abs(np.linalg.norm(curve) - speed) < 1e-2 * speed:
         center = place + curve
         begin = 0.0 if 0.12 < abs(value) < 6.3 else value
@@ -223,7 +195,7 @@ def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, num
 def _turning(sheet: _Sheet, found: Pose, item: fm.Coordinate, label: Box, number: int) -> None:
     """An arc about the mass centre of the first body that the coordinate turns in its place."""
     for body, center in zip(found.flat.bodies, found.carriers[len(found.flat.masses) :], strict=True):
-        place, spin = found.vector(center), found.spin(body.frame, item.name)
+        place, spin = found.vector(center), vector(found.at(item.name), fx.AngularVelocity(body.frame))
         if not (np.isfinite(place).all() and np.linalg.norm(spin) > 1e-9):
             continue
         normal = spin / np.linalg.norm(spin)
@@ -249,11 +221,9 @@ def _weights(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     if down is None:
         return
     few = len(found.carriers) <= _MOST_LABELS
-    for expression, label in zip(found.carriers, drawn.weights, strict=True):
-        if found.has(expression):
-            place = found.vector(expression)
-            way = [place, place + down * _LENGTHS["weight"] * sheet.size]
-            sheet.arrow(way, "weight", label if few else None)
+    for k, place in found.places:
+        way = [place, place + down * _LENGTHS["weight"] * sheet.size]
+        sheet.arrow(way, "weight", drawn.weights[k] if few else None)
 
 
 def _placed(sheet: _Sheet, words: str) -> Figure:

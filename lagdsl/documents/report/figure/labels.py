@@ -1,4 +1,5 @@
-"""Places for the labels of a figure: near what they name, on no line, on no other label, inside of the picture.
+"""Labels of a figure: formulas as letters of two heights in one line, ∂r₁/∂θ with its indices below the line, and their
+places: near what they name, on no line, on no other label, inside of the picture.
 
 Each label has candidates around its anchor; the cheapest one is taken, label by label, and all are looked at again
 among the places of the others. After J. Christensen, J. Marks and S. Shieber, "An empirical study of algorithms for
@@ -9,16 +10,19 @@ Rectangles are rows (n, 4): the middle, then half the width and half the height.
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
-from lagdsl.documents.report.figure.lettering import width
-from lagdsl.documents.report.marks import Arrow, Ball, Caption, Stroke
+from lagdsl.documents.report import boxes
+from lagdsl.documents.report.marks import Arrow, Ball, Caption, Mark, Stroke
+from lagdsl.documents.report.unicode_math import line
 from lagdsl.foundation.numerics.rank import Floats
 
+_LETTER, _LOW_LETTER = 7.2, 5.4
 _HALF_HEIGHT = 8.0
 _EDGE = 2.0
 _OVER_LABEL, _OVER_LINE, _OVER_BALL = 40.0, 3.0, 12.0
@@ -28,9 +32,7 @@ _DISTANCES = np.array([0.0, 6.0, 14.0, 24.0])
 _ROUNDS = 3
 
 
-def labelled(
-    marks: Sequence[Stroke | Ball | Arrow | Caption], across: float, upward: float
-) -> tuple[Stroke | Ball | Arrow | Caption, ...]:
+def labelled(marks: Sequence[Mark], across: float, upward: float) -> tuple[Mark, ...]:
     """The marks with the places of their labels; the picture reaches from (0, 0) to (across, upward)."""
     result, room = list(marks), np.array([across, upward])
     lines = [pair for mark in marks if isinstance(mark, Stroke | Arrow) for pair in pairwise(mark.points)]
@@ -109,3 +111,32 @@ def _anchors(mark: Arrow | Caption) -> Iterator[tuple[Floats, complex, float]]:
 def _unit(way: Floats) -> complex:
     """The direction of a vector (2,), x as the real part; to the right where it is zero."""
     return complex(np.exp(1j * np.arctan2(way[1], way[0])))
+
+
+def pieces(box: boxes.Box, *, low: bool = False) -> list[tuple[str, bool]]:
+    """Texts, and whether each stands below the line."""
+    match box:
+        case boxes.Subscript(base, index):
+            return [*pieces(base, low=low), (line(index).replace(" , ", ","), True)]
+        case boxes.Derivative(letter, of, by):
+            above = [] if of is None else pieces(of, low=low)
+            return [(letter, low), *above, (f"/{letter}", low), *pieces(by, low=low)]
+        case boxes.Joined(items):
+            return [piece for item in items for piece in pieces(item, low=low)]
+        case boxes.Row(items):
+            apart = [[("\u2009", low), *pieces(item, low=low)] for item in items]
+            return [piece for item in apart for piece in item][1:]
+        case (boxes.Name() | boxes.Upright() | boxes.Number() | boxes.Operator() | boxes.Sum() | boxes.Fraction()
+              | boxes.Power() | boxes.Root() | boxes.Dotted() | boxes.Call() | boxes.Bracket() | boxes.Marked()
+              | boxes.Cases() | boxes.Column() | boxes.Matrix() | boxes.Unit()):  # fmt: skip
+            return [(line(box), low)]
+
+
+def width(box: boxes.Box) -> float:
+    """In points of the figure, about."""
+    return sum(_letters(text) * (_LOW_LETTER if low else _LETTER) for text, low in pieces(box))
+
+
+def _letters(text: str) -> float:
+    """Dots over a letter take no room, thin blanks little."""
+    return sum(0.3 if each == "\u2009" else 1.0 for each in text if not unicodedata.combining(each))

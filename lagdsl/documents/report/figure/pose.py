@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from lagdsl.derivation.scene.machine import number, vector
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.language.flat import expression as fx
-from lagdsl.language.flat.evaluate import Evaluator, NotEvaluable, Values
+from lagdsl.language.flat.evaluate import Evaluator, Values
 from lagdsl.language.flat.model import FlatModel
 from lagdsl.motion.pipeline import Compilation, compile_flat
 
@@ -21,41 +22,37 @@ _NONE: Mapping[str, float] = {}
 
 @dataclass(frozen=True)
 class Pose:
-    """`carriers` are the positions of masses, then of the mass centres of bodies, as expressions."""
+    """`values` of coordinates and inputs by name [SI]."""
 
     flat: FlatModel
     values: Mapping[str, float]
-    carriers: tuple[fx.FlatExpression, ...]
 
-    def vector(self, expression: fx.FlatExpression, moved: Mapping[str, float] = _NONE) -> Floats:
+    def at(self, coordinate: str = "", moved: Mapping[str, float] = _NONE) -> Evaluator:
+        """With other values of those that are `moved`; a coordinate has the rate 1, everything else rests."""
+        values = {**self.values, **moved}
+        rests = ("time", *values, *(state.name for state in self.flat.states))
+        return Evaluator(self.flat, Values(variables=values, rates={name: float(name == coordinate) for name in rests}))
+
+    def vector(self, expression: fx.FlatExpression) -> Floats:
         """Components (3,) [SI]; nan where there is no finite value."""
-        return vector(Evaluator(self.flat, Values(variables={**self.values, **moved})), expression)
+        return vector(self.at(), expression)
 
-    def scalar(self, expression: fx.FlatExpression) -> float:
-        """In SI units; nan where there is no value."""
-        return number(Evaluator(self.flat, Values(variables=self.values)), expression)
+    @cached_property
+    def carriers(self) -> tuple[fx.FlatExpression, ...]:
+        """Positions of masses, then of the mass centres of bodies."""
+        return (*(mass.position for mass in self.flat.masses), *map(mass_centre, self.flat.bodies))
 
-    def has(self, expression: fx.FlatExpression) -> bool:
-        """Does a vector have a value?"""
-        return bool(np.isfinite(self.vector(expression)).all())
+    @cached_property
+    def places(self) -> list[tuple[int, Floats]]:
+        """Those of the carriers, by their numbers, that have one."""
+        found = enumerate(map(self.vector, self.carriers))
+        return [(number, place) for number, place in found if np.isfinite(place).all()]
 
-    def along(self, expression: fx.FlatExpression, coordinate: str, by: float) -> Floats:
-        """Place with one coordinate changed `by` so much, the others held."""
-        return self.vector(expression, {coordinate: self.values[coordinate] + by})
-
-    def rate(self, expression: fx.FlatExpression, coordinate: str) -> Floats:
-        """Derivative of a place by a coordinate."""
-        return vector(self._rate(coordinate), fx.Derivative(expression))
-
-    def spin(self, frame: str, coordinate: str) -> Floats:
-        """Derivative (3,) of the rotation of a frame by a coordinate."""
-        return vector(self._rate(coordinate), fx.AngularVelocity(frame))
-
-    def _rate(self, coordinate: str) -> Evaluator:
-        """The coordinate has the rate 1, everything else rests."""
-        rests = ("time", *self.values, *(state.name for state in self.flat.states))
-        rates = {**dict.fromkeys(rests, 0.0), coordinate: 1.0}
-        return Evaluator(self.flat, Values(variables=self.values, rates=rates))
+    def moved(self, coordinate: str) -> list[tuple[int, Floats]]:
+        """Carriers that a coordinate moves, with the derivatives (3,) of their places."""
+        at = self.at(coordinate)
+        rates = ((number, vector(at, fx.Derivative(each))) for number, each in enumerate(self.carriers))
+        return [(number, rate) for number, rate in rates if np.linalg.norm(rate) > 1e-9]
 
 
 def pose(flat: FlatModel, compilation: Compilation | None = None) -> Pose | None:
@@ -63,19 +60,14 @@ def pose(flat: FlatModel, compilation: Compilation | None = None) -> Pose | None
 
     The latter are found with `compilation`, of a model with the same coordinates and constraints, if there is one."""
     own = Evaluator(flat, Values())
-    try:
-        values = {item.name: own.scalar(item.start) for item in flat.coordinates}
-        values |= {item.name: own.scalar(item.default) for item in flat.inputs}
-    except NotEvaluable:
-        return None
-    if flat.constraints or flat.initial_equations:
+    values = {item.name: number(own, item.start) for item in flat.coordinates}
+    values |= {item.name: number(own, item.default) for item in flat.inputs}
+    if np.isfinite([*values.values()]).all() and (flat.constraints or flat.initial_equations):
         found = _consistent(flat, compilation)
         if found is None:
             return None
         values |= found
-    if not all(np.isfinite(value) for value in values.values()):
-        return None
-    return Pose(flat, values, (*(mass.position for mass in flat.masses), *map(mass_centre, flat.bodies)))
+    return Pose(flat, values) if np.isfinite([*values.values()]).all() else None
 
 
 def _consistent(flat: FlatModel, compilation: Compilation | None) -> dict[str, float] | None:

@@ -6,8 +6,8 @@ import math
 from html import escape
 
 from lagdsl.documents.report.boxes import Box
-from lagdsl.documents.report.figure.lettering import pieces
-from lagdsl.documents.report.marks import Arrow, Ball, Caption, Figure, Place, Stroke, color
+from lagdsl.documents.report.figure.labels import pieces
+from lagdsl.documents.report.marks import Ball, Caption, Figure, Mark, Place, Stroke, color
 
 _STROKES = {
     "rod": 'stroke-width="3" stroke-linecap="round"',
@@ -33,7 +33,7 @@ def svg(figure: Figure, *, alone: bool = False) -> str:
     )
 
 
-def _mark(figure: Figure, mark: Stroke | Ball | Arrow | Caption) -> str:
+def _mark(figure: Figure, mark: Mark) -> str:
     if isinstance(mark, Caption):
         return _label(figure, mark.label, mark.at, "currentColor")
     if isinstance(mark, Stroke):

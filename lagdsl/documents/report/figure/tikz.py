@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagdsl.documents.report.latex_math import tex
-from lagdsl.documents.report.marks import COLORS, LOAD, WEIGHT, Arrow, Ball, Caption, Figure, Place, Stroke, color
+from lagdsl.documents.report.marks import COLORS, LOAD, WEIGHT, Ball, Caption, Figure, Mark, Place, Stroke, color
 
 _STROKES = {
     "rod": "line width=2.2pt, line cap=round",
@@ -25,7 +25,7 @@ def tikz(figure: Figure) -> str:
     return f"\\begin{{center}}\n{inside}\n\\end{{center}}"
 
 
-def _mark(mark: Stroke | Ball | Arrow | Caption) -> str:
+def _mark(mark: Mark) -> str:
     if isinstance(mark, Caption):
         x, y = mark.at
         return f"\\node[inner sep=0pt] at ({x:g},{y:g}) {{${tex(mark.label)}$}};"

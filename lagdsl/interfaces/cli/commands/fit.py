@@ -29,10 +29,10 @@ from lagdsl.interfaces.cli.options import (
 )
 from lagdsl.interfaces.cli.output import draft_of, require_ending, require_writable, write_text
 from lagdsl.interfaces.cli.progress import progress
+from lagdsl.language.settings.arrays import names_in
 from lagdsl.language.settings.failure import SettingError
 from lagdsl.language.settings.settings import split
 from lagdsl.motion.fit.search import LOSSES
-from lagdsl.motion.fit.unknowns import names_in
 from lagdsl.motion.pipeline import findings
 
 if TYPE_CHECKING:

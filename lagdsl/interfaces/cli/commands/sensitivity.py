@@ -22,8 +22,8 @@ from lagdsl.interfaces.cli.options import (
 )
 from lagdsl.interfaces.cli.progress import progress
 from lagdsl.interfaces.cli.status import FAILED_RUN
+from lagdsl.language.settings.arrays import names_in
 from lagdsl.language.settings.settings import split
-from lagdsl.motion.fit.unknowns import names_in
 from lagdsl.motion.pipeline import findings
 from lagdsl.motion.simulate.failure import SimulationFailed
 
