@@ -126,7 +126,7 @@ class _Making:
             if self._is_fixed(number):
                 found = Part(Step(value.expression, None), value, {})
             else:
-                found = self._moving(node, value)
+                found = self._by_index(node, value)
             if found is not None:
                 self._parts[number] = found
         return found
@@ -134,24 +134,20 @@ class _Making:
     def _is_fixed(self, number: int) -> bool:
         return self._common.names(number).isdisjoint(self._indices)
 
-    def _moving(self, node: nodes.Expression, value: Scalar) -> Part | None:
+    def _by_index(self, node: nodes.Expression, value: Scalar) -> Part | None:
         if isinstance(node, nodes.Conditional):
             return self._conditional(node)
         if isinstance(value.expression, flat.Number):
             return None
-        match node:
-            case nodes.Index():
-                return Part(self._index(node, value), value, {})
-            case nodes.Member():
-                return Part(Named(value.expression, self._scope, node, type_of(value)), value, {})
-            case nodes.Binary():
-                return self._binary(node, value)
-            case nodes.Unary():
-                return self._unary(node, value)
-            case nodes.Call():
-                return self._call(node, value)
-            case _:
-                return None
+        if isinstance(node, nodes.Index):
+            return Part(self._index(node, value), value, {})
+        if isinstance(node, nodes.Member):
+            return Part(Named(value.expression, self._scope, node, type_of(value)), value, {})
+        if isinstance(node, nodes.Binary):
+            return self._binary(node, value)
+        if isinstance(node, nodes.Unary):
+            return self._unary(node, value)
+        return self._call(node, value) if isinstance(node, nodes.Call) else None
 
     def _conditional(self, node: nodes.Conditional) -> Part | None:
         conditions: dict[int, tuple[Number, bool]] = {}
@@ -205,13 +201,11 @@ class _Making:
         operand = self.part(node.arguments[0])
         if operand is None or is_structural(operand.value):
             return None
-        match made:
-            case flat.Derivative() if made.operand == operand.step.made:
-                return self._of_one(flat.Derivative, operand, value)
-            case flat.Function(name) if made.arguments == (operand.step.made,):
-                return self._of_one(partial(_function, name), operand, value)
-            case _:
-                return None
+        if isinstance(made, flat.Derivative) and made.operand == operand.step.made:
+            return self._of_one(flat.Derivative, operand, value)
+        if isinstance(made, flat.Function) and made.arguments == (operand.step.made,):
+            return self._of_one(partial(_function, made.name), operand, value)
+        return None
 
     def _of_one(self, make: Callable[..., flat.FlatExpression], operand: Part, value: Scalar) -> Part:
         return Part(Operation(value.expression, self._scope, make, operand.step, None), value, operand.conditions)
@@ -230,15 +224,17 @@ class _Making:
             return None
         if self._is_fixed(number):
             return self._constant(node)
-        match node:
-            case nodes.Reference(name=name):
-                return itemgetter(name)
-            case nodes.Binary(operator=operator) if operator in _ARITHMETIC:
-                return self._of_numbers(BINARY[operator], (node.left, node.right))
-            case nodes.Call(function=nodes.Reference(name=name)) if name in _EXTREMES:
-                return self._of_numbers(FUNCTIONS[name], node.arguments)
-            case _:
-                return None
+        if isinstance(node, nodes.Reference):
+            return itemgetter(node.name)
+        if isinstance(node, nodes.Binary) and node.operator in _ARITHMETIC:
+            return self._of_numbers(BINARY[node.operator], (node.left, node.right))
+        if (
+            isinstance(node, nodes.Call)
+            and isinstance(node.function, nodes.Reference)
+            and node.function.name in _EXTREMES
+        ):
+            return self._of_numbers(FUNCTIONS[node.function.name], node.arguments)
+        return None
 
     def _constant(self, node: nodes.Expression) -> Number | None:
         value = self._ctx.elaborate(self._ctx, self._scope, node, False)
