@@ -17,12 +17,13 @@ from lagdsl.derivation.program.lengths import counted, sizes
 from lagdsl.derivation.program.passes.along import Along, along
 from lagdsl.derivation.program.passes.motion_jacobian import motion_jacobian
 from lagdsl.derivation.program.passes.pattern import equations_pattern, patterns
-from lagdsl.derivation.program.program import Layout, Program, Slot
+from lagdsl.derivation.program.program import Block, Layout, Program, Slot
 from lagdsl.engines.backends.start import Start
-from lagdsl.engines.backends.tape.function import NO_CODE, Code, results_of, words_of
+from lagdsl.engines.backends.tape.function import NO_CODE, Code, Result, results_of, words_of
 from lagdsl.engines.backends.tape.nodes import Ints, Nodes, distinct, live_sets, nodes_of
 from lagdsl.engines.backends.tape.one_state import Base, OneState, beside, one_state
 from lagdsl.engines.backends.tape.settled import Settled
+from lagdsl.foundation.record import record
 from lagdsl.language.flat.events import INITIAL
 
 _DIRECTIONS: Final = mask_of(DIRECTION_OF.values())
@@ -91,15 +92,13 @@ class Tapes:
             self._common = one_state(program, nodes), _tables(program)
         state, tables = self._common
         several = [[one.results for one in each.functions.values()] for each in found if each is not None]
-        several += [] if written is None else [[written.results]]
-        results = [results_of(chain.from_iterable(own)) for own in several]
-        roots = [distinct(len(nodes.op), *(result.roots for result in own)) for own in results]
-        lives = live_sets(nodes, roots) if roots else []
-        base = beside(state, nodes, lives, roots)
-        jacobian = [] if written is None else [words_of(nodes, lives[-1], results[-1], base.settled)]
-        own = iter(zip(lives, roots, strict=True))
+        needed = _needed(nodes, several if written is None else [*several, [written.results]])
+        every = [each for own in needed for each in own]
+        base = beside(state, nodes, [each.live for each in every], [each.roots for each in every])
+        jacobian = [] if written is None else [words_of(nodes, every[-1].live, every[-1].results, base.settled)]
+        own = iter(needed)
         directions = [
-            _NO_DIRECTIONS if each is None else _codes_along(nodes, each, *next(own), base.settled) for each in found
+            _NO_DIRECTIONS if each is None else _codes_along(nodes, each, next(own), base.settled) for each in found
         ]
         codes = [*base.codes, *(code for own, *_ in directions for code in own), *jacobian]
         of_state = [*base.codes, *(own[0] for own, *_ in directions), *jacobian]
@@ -145,23 +144,42 @@ _Directions: TypeAlias = tuple[list[Code], int, int]
 _NO_DIRECTIONS: Final[_Directions] = ([NO_CODE] * (1 + len(ALONG)), 0, 0)
 
 
-def _codes_along(nodes: Nodes, found: Along, live: Ints, roots: Ints, settled: Settled) -> _Directions:
-    """Functions of several directions, that of the state first; how much they share of the row, and their own row. All
-    together they are computed from the nodes `live`, with `roots` as results."""
-    common = _shared(nodes, live, roots)
+@record()
+class _Needed:
+    """A function: its results, their nodes, and all those that they are computed from."""
+
+    results: list[Result]
+    roots: Ints
+    live: Ints
+
+
+def _needed(nodes: Nodes, functions: Sequence[Sequence[Sequence[Block]]]) -> list[list[_Needed]]:
+    """Of the results of all functions, part by part."""
+    results = [[results_of(blocks) for blocks in own] for own in functions]
+    roots = [[distinct(len(nodes.op), *(result.roots for result in each)) for each in own] for own in results]
+    lives = iter(live_sets(nodes, list(chain.from_iterable(roots))) if functions else ())
+    return [
+        [_Needed(own, of, next(lives)) for own, of in zip(*part, strict=True)]
+        for part in zip(results, roots, strict=True)
+    ]
+
+
+def _codes_along(nodes: Nodes, found: Along, needed: Sequence[_Needed], settled: Settled) -> _Directions:
+    """Functions of several directions, that of the state first; how much they share of the row, and their own row.
+    `needed` are the functions of `found`."""
+    count = len(nodes.op)
+    live = distinct(count, *(each.live for each in needed))
+    common = _shared(nodes, live, distinct(count, *(each.roots for each in needed)))
     common = common[(settled.place[common] < 0) & ~settled.hidden[common]]
     after = settled.with_more(common)
     before = replace(settled, first=after.first)
     motion = results_of(found.motion)
-    (live,) = live_sets(nodes, [distinct(len(nodes.op), common, *(result.roots for result in motion))])
+    (live,) = live_sets(nodes, [distinct(count, common, *(result.roots for result in motion))])
     codes = [words_of(nodes, live, motion, before, common)]
+    named = dict(zip(found.functions, needed, strict=True))
     for name in ALONG:
-        code = NO_CODE
-        if name in found.functions:
-            own = results_of(found.functions[name].results)
-            live = _reached(nodes, distinct(len(nodes.op), *(result.roots for result in own)), after)
-            code = words_of(nodes, live, own, after)
-        codes.append(code)
+        own = named.get(name)
+        codes.append(NO_CODE if own is None else words_of(nodes, _differentiated(nodes, own), own.results, after))
     return codes, after.first, max(after.first, *(code.row for code in codes[1:]))
 
 
@@ -174,10 +192,12 @@ def _shared(nodes: Nodes, live: Ints, roots: Ints) -> Ints:
     return common
 
 
-def _reached(nodes: Nodes, roots: Ints, settled: Settled) -> Ints:
-    """Nodes from which `roots` are computed, down to those that are in the row already."""
-    given = frozenset(np.flatnonzero(settled.place >= 0).tolist())
-    return np.array(nodes.graph.live(roots.tolist(), given), dtype=np.int64)
+def _differentiated(nodes: Nodes, needed: _Needed) -> Ints:
+    """What depends on a direction, and what that reads."""
+    live = needed.live
+    moving = live[(nodes.groups[live] & _DIRECTIONS != 0) & (nodes.op[live] >= FIRST_UNARY)]
+    operands = nodes.operands[:, moving].ravel()
+    return distinct(len(nodes.op), moving, operands[operands >= 0], needed.roots)
 
 
 def _written_once(codes: Sequence[Code]) -> tuple[list[int], NDArray[np.uint32]]:

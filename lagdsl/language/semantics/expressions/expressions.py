@@ -13,6 +13,7 @@ from lagdsl.foundation.units.dimension import DIMENSIONLESS
 from lagdsl.foundation.units.parse import UnknownUnit, parse_unit
 from lagdsl.language.flat import expression as flat
 from lagdsl.language.semantics.expressions import calls, references
+from lagdsl.language.semantics.expressions.templates import by_template, keep_template
 from lagdsl.language.semantics.operators import angles, arithmetic, arrays, geometry
 from lagdsl.language.semantics.operators.arithmetic import Operand
 from lagdsl.language.semantics.operators.choice import choice
@@ -36,11 +37,36 @@ def elaborate(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool = 
     takes the declared unit. A text that stands in `scope` again is the value of the first one, unless that left more
     than a value behind.
     """
+    if not isinstance(node, _SPELLED):
+        return _elaborated(ctx, scope, node, adopt)
+    if scope.kind == "local" and ctx.current.templates.scope is not scope and not adopt:
+        return _of_turn(ctx, scope, node)
+    return _spelled(ctx, scope, node, adopt)
+
+
+def _of_turn(ctx: Context, scope: Scope, node: nodes.Expression) -> Value:
+    """A whole text in a turn of a loop."""
+    templates = ctx.current.templates
+    before, templates.scope = templates.scope, scope
+    try:
+        found = by_template(ctx, scope, node)
+        if found is not None:
+            return found
+        effects = ctx.effects
+        value = _spelled(ctx, scope, node, False)
+        if isinstance(value, Scalar) and ctx.effects == effects:
+            keep_template(ctx, scope, node, value)
+        return value
+    finally:
+        templates.scope = before
+
+
+def _spelled(ctx: Context, scope: Scope, node: nodes.Expression, adopt: bool) -> Value:
     current = ctx.current
-    number = current.common.number(node) if isinstance(node, _SPELLED) else None
+    number = current.common.number(node)
     if number is None:
         return _elaborated(ctx, scope, node, adopt)
-    values, key = current.common.of(scope, (current.quiet, current.in_clause), number), (number, adopt)
+    values, key = current.common.of(scope, current.mode, number), (number, adopt)
     known = values.get(key)
     if known is not None:
         return known

@@ -16,7 +16,7 @@ from lagdsl.language.syntax import nodes
 
 
 @record()
-class _Type:
+class Type:
     """Of a scalar; with the class of its expression, and the number that is known."""
 
     dimension: AnyDimension
@@ -42,9 +42,9 @@ class Known:
 
     node: nodes.Binary
     operator: flat.BinaryOperator
-    left: _Type
-    right: _Type
-    result: _Type
+    left: Type
+    right: Type
+    result: Type
 
     def value(self, left: Value, right: Value) -> Scalar | None:
         """None for operands of other types."""
@@ -72,15 +72,20 @@ class Alike:
         made = value.expression
         if not isinstance(made, flat.Binary) or made.left is not left.expression or made.right is not right.expression:
             return
-        integers = left.kind == right.kind == "Integer" and is_structural(value)  # a number, if there is one
-        power = made.operator == "^" and not isinstance(right.expression, flat.Number)
-        if made.operator in _OPERATORS and not (integers or power):
-            self._known[id(node)] = Known(node, made.operator, *map(_type, (left, right, value)))
+        if follows(made.operator, left, right, value):
+            self._known[id(node)] = Known(node, made.operator, *map(type_of, (left, right, value)))
 
 
 _OPERATORS = frozenset(("+", "-", "*", "/", "^"))
 
 
-def _type(value: Scalar) -> _Type:
+def follows(operator: str, left: Scalar, right: Scalar, value: Scalar) -> bool:
+    """True if operands of the same types have a value of the same type, whatever they are."""
+    integers = left.kind == right.kind == "Integer" and is_structural(value)  # a number, if there is one
+    power = operator == "^" and not isinstance(right.expression, flat.Number)
+    return operator in _OPERATORS and not (integers or power)
+
+
+def type_of(value: Scalar) -> Type:
     number = value.expression.value if isinstance(value.expression, flat.Number) else None
-    return _Type(value.dimension, value.variability, value.order, value.kind, type(value.expression), number)
+    return Type(value.dimension, value.variability, value.order, value.kind, type(value.expression), number)

@@ -59,6 +59,10 @@ class Common:
             scope = scope.parent
         return self._values[id(scope)]
 
+    def names(self, number: int) -> frozenset[str]:
+        """The names in the texts of this number."""
+        return self._names[number]
+
     def number(self, node: nodes.Node) -> int | None:
         """The same for all nodes of one spelling; None for what has none."""
         found = self._numbers.get(id(node))

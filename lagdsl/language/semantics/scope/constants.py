@@ -20,7 +20,7 @@ class NoValue(ArithmeticError):  # noqa: N818 named after what it says
     """The expression has no finite value."""
 
 
-_BINARY: dict[str, Callable[[float, float], float]] = {
+BINARY: dict[str, Callable[[float, float], float]] = {
     "+": lambda x, y: x + y,
     "-": lambda x, y: x - y,
     "*": lambda x, y: x * y,
@@ -36,7 +36,7 @@ _BINARY: dict[str, Callable[[float, float], float]] = {
     "or": lambda x, y: float(x != 0 or y != 0),
 }
 
-_FUNCTIONS: dict[str, Callable[..., float]] = {
+FUNCTIONS: dict[str, Callable[..., float]] = {
     "abs": abs,
     "sign": lambda x: float((x > 0) - (x < 0)),
     "floor": lambda x: float(math.floor(x)),
@@ -82,9 +82,9 @@ class _Evaluation:
                 value = self.scalar(operand)
                 return -value if operator == "-" else float(value == 0)
             case flat.Binary(operator, left, right):
-                return _BINARY[operator](self.scalar(left), self.scalar(right))
+                return BINARY[operator](self.scalar(left), self.scalar(right))
             case flat.Function(name, arguments):
-                function = _FUNCTIONS.get(name) or getattr(math, name)
+                function = FUNCTIONS.get(name) or getattr(math, name)
                 return float(function(*(self.scalar(argument) for argument in arguments)))
             case flat.Conditional(condition, value, otherwise):
                 return self.scalar(value if self.scalar(condition) != 0 else otherwise)

@@ -10,6 +10,7 @@ from lagdsl.foundation.record import mutable_record
 from lagdsl.language.semantics.scope.alike import Alike
 from lagdsl.language.semantics.scope.common import Common
 from lagdsl.language.semantics.scope.scope import Indices, Scope, Symbol
+from lagdsl.language.semantics.scope.template import Templates
 from lagdsl.language.syntax import nodes
 
 
@@ -17,7 +18,8 @@ from lagdsl.language.syntax import nodes
 class Current:
     """`active` are the symbols that get their values, `scopes` the instances whose items are elaborated, `functions`
     those that are expanded, outermost first. Relations are not located while `quiet`. `in_clause`: it is the text of a
-    `when`. `common` are texts that are spelled alike, `alike` operations on operands of types that were checked."""
+    `when`. `common` are texts that are spelled alike, `alike` operations on operands of types that were checked,
+    `templates` those of the texts of loops."""
 
     active: list[tuple[Symbol, Indices | None]] = field(default_factory=list)
     scopes: list[Scope] = field(default_factory=list)
@@ -26,6 +28,12 @@ class Current:
     in_clause: bool = False
     common: Common = field(default_factory=Common)
     alike: Alike = field(default_factory=Alike)
+    templates: Templates = field(default_factory=Templates)
+
+    @property
+    def mode(self) -> tuple[bool, ...]:
+        """A text has one value in one mode."""
+        return self.quiet, self.in_clause
 
     @contextmanager
     def inside(self, scope: Scope) -> Iterator[None]:

@@ -19,6 +19,7 @@
 #include "lag/elimination/band.h"
 #include "lag/elimination/lu.h"
 #include "lag/linalg/linalg.h"
+#include "lag/linalg/vector.h"
 #include "lag/methods/radau.h"
 
 /* Of the matrices, the row or column of this one of the unknowns: the rates, the states, the multipliers of equations. */
@@ -299,18 +300,35 @@ void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double
     }
 }
 
+/*
+ * Adds the entries of a row from k on whose columns, which ascend, are before `end`, times the numbers of x, which begin at the column `first`. Null: they
+ * are zero. Returns the entry behind them.
+ */
+static size_t add_entries(
+    const lag_radau_row *row, const double *entries, size_t k, size_t end, const double *x, size_t first, double *sum)
+{
+    double total = *sum;
+    for (; k < row->end && row->column[k] < end; ++k) {
+        if (x != NULL) {
+            total += entries[k] * x[row->column[k] - first];
+        }
+    }
+    *sum = total;
+    return k;
+}
+
 void lag_radau_product(const lag_ode *ode, const double *entries, double factor, const double *x, const double *rates, double *out)
 {
+    const size_t n = ode->size;
     for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
         double sum = 0.0;
-        for (size_t k = row.first; k < row.end; ++k) {
-            const size_t column = row.column != NULL ? row.column[k] : k - row.first;
-            if (is_acceleration(ode, column)) {
-                sum += entries[k] * (rates != NULL ? rates[column - ode->size + ode->nq] : 0.0);
-            } else if (x != NULL) {
-                sum += entries[k] * x[column < ode->size ? column : column - ode->nq];
-            }
+        if (row.column != NULL) {
+            size_t k = add_entries(&row, entries, row.first, n, x, 0, &sum);
+            k = add_entries(&row, entries, k, n + ode->nq, rates != NULL ? rates + ode->nq : NULL, n, &sum);
+            add_entries(&row, entries, k, n + ode->nq + ode->nc, x, ode->nq, &sum);
+        } else if (x != NULL) {
+            sum = lag_dot(n, entries + row.first, x);
         }
         out[ode->nq + i] += factor * sum;
     }
