@@ -132,7 +132,7 @@ static void combine(size_t size, const lag_radau_places *at, least_squares *syst
     }
 }
 
-void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x)
+void lag_radau_gmres(lag_stepper *s, const lag_radau_places *at, double h, double *x)
 {
     const size_t apart = lag_radau_size(s->ode);
     const size_t size = at->table->stages * apart;
@@ -148,6 +148,7 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h,
     }
     system.right[0] = start;
     while (m < MOST && fabs(system.right[m]) > SMALL * start) {
+        ++s->counts.directions;
         grow(s, at, h, m, system.column[m]);
         const int last = !(system.column[m][m + 1] > LAG_ROUNDING);
         if (!rotate(&system, m)) {

@@ -195,7 +195,7 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, size_t apart, const 
     return sum;
 }
 
-double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h)
+double lag_radau_correction(lag_stepper *s, const lag_radau_places *at, double h)
 {
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;

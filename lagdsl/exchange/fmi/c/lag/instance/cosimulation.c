@@ -125,8 +125,7 @@ static lag_status end_at_the_stop(lag_instance *instance)
 static int needs_implicit(lag_instance *instance, double h)
 {
     lag_run *run = instance->run;
-    int decays = 0;
-    return h * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper, &decays) > STABLE;
+    return h * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper) > STABLE;
 }
 
 /* Steps of one length, none longer than the option wants it. */
