@@ -225,15 +225,15 @@ void lag_radau_change_sides(const lag_ode *ode, const lag_radau_places *at, cons
 
 /*
  * x (stages, size), which solves the systems with the Jacobian at the middle of the step of length h, becomes the solution with one that changes along
- * it, to a small part of itself. Multipliers follow without a measure.
+ * it, to a small part of itself. Multipliers follow without a measure. Returns how many directions of a Krylov space that takes.
  */
-void lag_radau_gmres(lag_stepper *s, const lag_radau_places *at, double h, double *x);
+size_t lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x);
 
 /*
  * Right sides of the systems, in `sides`, become one correction of the stages w by Newton's method with what is decomposed;
- * its size as a part of the tolerances.
+ * its size as a part of the tolerances. Directions of Krylov spaces are added to `directions`.
  */
-double lag_radau_correction(lag_stepper *s, const lag_radau_places *at, double h);
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h, size_t *directions);
 
 /* Adds solutions of the systems (stages, size) to w (stages, n), which have no multipliers. */
 void lag_radau_add(const lag_ode *ode, size_t stages, const double *sides, double *w);

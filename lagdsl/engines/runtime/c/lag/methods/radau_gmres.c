@@ -132,7 +132,7 @@ static void combine(size_t size, const lag_radau_places *at, least_squares *syst
     }
 }
 
-void lag_radau_gmres(lag_stepper *s, const lag_radau_places *at, double h, double *x)
+size_t lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x)
 {
     const size_t apart = lag_radau_size(s->ode);
     const size_t size = at->table->stages * apart;
@@ -140,7 +140,7 @@ void lag_radau_gmres(lag_stepper *s, const lag_radau_places *at, double h, doubl
     least_squares system;
     size_t m = 0;
     if (!(start >= DBL_MIN) || !isfinite(start)) {
-        return;
+        return 0;
     }
     const double by = 1.0 / start;
     for (size_t i = 0; i < size; ++i) {
@@ -148,7 +148,6 @@ void lag_radau_gmres(lag_stepper *s, const lag_radau_places *at, double h, doubl
     }
     system.right[0] = start;
     while (m < MOST && fabs(system.right[m]) > SMALL * start) {
-        ++s->counts.directions;
         grow(s, at, h, m, system.column[m]);
         const int last = !(system.column[m][m + 1] > LAG_ROUNDING);
         if (!rotate(&system, m)) {
@@ -162,4 +161,5 @@ void lag_radau_gmres(lag_stepper *s, const lag_radau_places *at, double h, doubl
     if (m > 0) {
         combine(size, at, &system, m, x);
     }
+    return m;
 }
