@@ -5,15 +5,16 @@
 
 #include "lag/methods/radau.h"
 
-/* The stability region of DOP853 reaches to about -6 on the real axis; accuracy keeps h |lambda| near 1. */
-static const double BORDER = 3.5;
-/* Below this the explicit method could do steps as long as those of the implicit one. */
+/*
+ * The stability region of DOP853 reaches to about -6 on the real axis; accuracy keeps h |lambda| near 1. Above this a step of an implicit method may be
+ * longer, below it the explicit method could do steps as long as those of the implicit one.
+ */
 static const double EASY = 2.0;
 enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
 enum { PRODUCTS = ITERATIONS + 2 };
 /* What is tried in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run. */
-enum { PARTS = 16 };
+enum { PARTS = 32 };
 
 /* Numbers of the matrix. */
 static size_t matrix_numbers(size_t size)
@@ -193,7 +194,7 @@ static int is_worth_it(lag_stiffness *stiffness, lag_stepper *s, double stop)
 /* After a step of the explicit method. */
 static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
-    if (s->last.urge > BORDER) {
+    if (s->last.urge > EASY) {
         ++stiffness->signs;
     } else if (stiffness->signs > 0) {
         --stiffness->signs;
