@@ -194,14 +194,14 @@ static int is_worth_it(lag_stiffness *stiffness, lag_stepper *s, double stop)
 /* After a step of the explicit method. */
 static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
-    if (s->last.urge > EASY) {
-        ++stiffness->signs;
-    } else if (stiffness->signs > 0) {
-        --stiffness->signs;
-    } else {
+    if (s->last.urge <= EASY) {
+        stiffness->signs -= stiffness->signs > 0;
+        return s->method;
+    }
+    if (stiffness->signs == 0) {
         count_explicit(stiffness, s);
     }
-    if (stiffness->signs < SIGNS) {
+    if (++stiffness->signs < SIGNS) {
         return s->method;
     }
     const double since = stiffness->t;
