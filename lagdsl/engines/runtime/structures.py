@@ -363,7 +363,7 @@ class StepCounts(Structure):
     """lag_step_counts."""
 
     _fields_ = [
-        *_all(c_size_t, "steps rejections evaluations jacobians decompositions"),
+        *_all(c_size_t, "steps rejections evaluations jacobians decompositions directions"),
     ]
 
 

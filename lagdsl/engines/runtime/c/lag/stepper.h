@@ -26,6 +26,7 @@ typedef struct lag_last_step {
 /* The work so far. */
 typedef struct lag_step_counts {
     size_t steps, rejections, evaluations, jacobians, decompositions;
+    size_t directions; /* of Krylov spaces in which linear systems are solved */
 } lag_step_counts;
 
 /* The last state at which the system had no rates. */

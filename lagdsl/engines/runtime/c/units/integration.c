@@ -247,10 +247,8 @@
 #undef error_of
 #undef factor_of
 
-#define EXPLICIT radau_effort_EXPLICIT
 #define ITERATIONS radau_effort_ITERATIONS
 #include "lag/methods/radau_effort.c"
-#undef EXPLICIT
 #undef ITERATIONS
 
 #define MOST radau_gmres_MOST
@@ -292,13 +290,11 @@
 #undef place
 #undef places
 
-#define EXPLICIT stiffness_EXPLICIT
 #define ITERATIONS stiffness_ITERATIONS
 #define iterate stiffness_iterate
 #define multiply stiffness_multiply
 #define prepare stiffness_prepare
 #include "lag/methods/stiffness.c"
-#undef EXPLICIT
 #undef ITERATIONS
 #undef iterate
 #undef multiply

@@ -36,17 +36,18 @@ static const double RECEDE = 1.03;
 
 static void begin_radau(lag_stepper *s)
 {
-    size_t level = 0;
-    while (2 * lag_radau_tables[level].stages - 1 < s->method->order) {
-        ++level;
-    }
     lag_radau_memo *memo = lag_radau_remembered(s);
-    const lag_radau_memo found = s->looked ? *memo : (lag_radau_memo){.level = 0.0};
+    lag_radau_memo found = s->looked ? *memo : (lag_radau_memo){.level = 0.0};
+    while (2 * lag_radau_tables[(size_t)found.level].stages - 1 < s->method->order) {
+        found.level += 1.0;
+    }
     *memo = (lag_radau_memo){
-        .level = (double)level,
+        .level = found.level,
         .trust = 1.0,
         .fresh = found.fresh,
         .usable = found.usable,
+        .decomposed = found.decomposed,
+        .placed = found.placed,
     };
     lag_radau_keep_band(memo, s->ode);
 }
@@ -319,6 +320,36 @@ static lag_status step_radau(lag_stepper *s, double limit)
         }
         shorten(s, &at, &solved, h, factor);
     }
+}
+
+size_t lag_radau_level(const lag_stepper *s, double factor)
+{
+    size_t level = 0;
+    while (level + 1 < LAG_RADAU_TABLES && lag_stepper_norm(s, s->x) >= factor * ACCURATE[level + 1]) {
+        ++level;
+    }
+    return level;
+}
+
+int lag_radau_reaches(lag_stepper *s, double h, double *kept)
+{
+    const lag_method *method = s->method;
+    const lag_trouble trouble = s->trouble;
+    const size_t size = s->ode->size;
+    const lag_radau_places at = lag_radau_place(s);
+    lag_radau_outcome solved;
+    double error = 0.0;
+    memcpy(kept, s->tolerance, size * sizeof(double));
+    for (size_t i = 0; i < size; ++i) {
+        s->tolerance[i] *= lag_radau.factor / method->factor;
+    }
+    s->method = &lag_radau;
+    const lag_status status = try_step(s, &at, h, 0, &solved, &error);
+    s->method = method;
+    s->trouble = trouble;
+    memcpy(s->tolerance, kept, size * sizeof(double));
+    s->looked = status == LAG_OK && error < 1.0;
+    return s->looked;
 }
 
 static lag_status prepare_dense_radau(lag_stepper *s)

@@ -179,11 +179,24 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
 /* This work in evaluations of the rates by an explicit method, by multiplications; matrices are as large as those at hand. */
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
 
+/* The expected work of lag_radau from the present state of another method on, in the same measure. */
+typedef struct lag_radau_plan {
+    double probe; /* of a look at one step, */
+    double begin; /* of the first steps, while their length grows, beside the work of others; */
+    double step;  /* of a step */
+} lag_radau_plan;
+
+/* It begins with the order that the tolerances allow for. */
+lag_radau_plan lag_radau_expect(lag_stepper *s);
+
 /*
- * The work of so many steps from the present state on, in the same measure. The present method need not be one of these; if
- * one of these begins there, it finds the Jacobian.
+ * True if lag_radau, as expected before, solves a step of length h from the present state of another method, with an error below the tolerance: nothing
+ * is moved. If lag_radau begins there next, it finds the matrices. `kept` (size) is written.
  */
-double lag_radau_trial(lag_stepper *s, size_t steps);
+int lag_radau_reaches(lag_stepper *s, double h, double *kept);
+
+/* The highest order for the tolerances of `s`, each times `factor`: a place in lag_radau_tables. */
+size_t lag_radau_level(const lag_stepper *s, double factor);
 
 /* x (n) becomes the solution of the real system for it. */
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
@@ -212,15 +225,15 @@ void lag_radau_change_sides(const lag_ode *ode, const lag_radau_places *at, cons
 
 /*
  * x (stages, size), which solves the systems with the Jacobian at the middle of the step of length h, becomes the solution with one that changes along
- * it, to a small part of itself. Multipliers follow without a measure.
+ * it, to a small part of itself. Multipliers follow without a measure. Returns how many directions of a Krylov space that takes.
  */
-void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x);
+size_t lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x);
 
 /*
  * Right sides of the systems, in `sides`, become one correction of the stages w by Newton's method with what is decomposed;
- * its size as a part of the tolerances.
+ * its size as a part of the tolerances. Directions of Krylov spaces are added to `directions`.
  */
-double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h);
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h, size_t *directions);
 
 /* Adds solutions of the systems (stages, size) to w (stages, n), which have no multipliers. */
 void lag_radau_add(const lag_ode *ode, size_t stages, const double *sides, double *w);

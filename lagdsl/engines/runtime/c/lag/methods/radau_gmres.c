@@ -132,7 +132,7 @@ static void combine(size_t size, const lag_radau_places *at, least_squares *syst
     }
 }
 
-void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x)
+size_t lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h, double *x)
 {
     const size_t apart = lag_radau_size(s->ode);
     const size_t size = at->table->stages * apart;
@@ -140,7 +140,7 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h,
     least_squares system;
     size_t m = 0;
     if (!(start >= DBL_MIN) || !isfinite(start)) {
-        return;
+        return 0;
     }
     const double by = 1.0 / start;
     for (size_t i = 0; i < size; ++i) {
@@ -161,4 +161,5 @@ void lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double h,
     if (m > 0) {
         combine(size, at, &system, m, x);
     }
+    return m;
 }

@@ -195,13 +195,13 @@ double lag_radau_inner(const lag_stepper *s, size_t stages, size_t apart, const 
     return sum;
 }
 
-double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h)
+double lag_radau_correction(const lag_stepper *s, const lag_radau_places *at, double h, size_t *directions)
 {
     const size_t n = s->ode->size;
     const size_t stages = at->table->stages;
     lag_radau_decomposed(s->ode, at, at->sides);
     if (at->memo->turning > 0.0) {
-        lag_radau_gmres(s, at, h, at->sides);
+        *directions += lag_radau_gmres(s, at, h, at->sides);
     }
     return sqrt(lag_radau_inner(s, stages, lag_radau_size(s->ode), at->sides, at->sides) / (double)(n > 0 ? stages * n : 1));
 }
@@ -271,7 +271,7 @@ static lag_radau_outcome iterate(lag_stepper *s, const lag_radau_places *at, dou
             return result;
         }
         take_sides(s, at, h);
-        const double size = lag_radau_correction(s, at, h);
+        const double size = lag_radau_correction(s, at, h, &s->counts.directions);
         const double rate = before > 0.0 ? size / before : 0.0;
         result.missed = k == 0 ? size : result.missed;
         const double remaining = pow(rate, (double)(most - k)) / (1.0 - rate) * size;

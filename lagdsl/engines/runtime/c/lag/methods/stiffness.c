@@ -5,17 +5,16 @@
 
 #include "lag/methods/radau.h"
 
-/* The stability region of DOP853 reaches to about -6 on the real axis; accuracy keeps h |lambda| near 1. */
-static const double BORDER = 3.5;
-/* Below this the explicit method could do steps as long as those of the implicit one. */
+/*
+ * The stability region of DOP853 reaches to about -6 on the real axis; accuracy keeps h |lambda| near 1. Above this a step of an implicit method may be
+ * longer, below it the explicit method could do steps as long as those of the implicit one.
+ */
 static const double EASY = 2.0;
 enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
 enum { PRODUCTS = ITERATIONS + 2 };
-/* Evaluations of an explicit step. */
-enum { EXPLICIT = 12 };
-/* Trials in vain take no more than one of so many parts of the explicit work of a run. */
-enum { PARTS = 4 };
+/* What is tried in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run. */
+enum { PARTS = 32 };
 
 /* Numbers of the matrix. */
 static size_t matrix_numbers(size_t size)
@@ -112,14 +111,13 @@ static int iterate(const lag_stiffness *stiffness, lag_stepper *s)
     return status == LAG_OK && multiply_jacobian(stiffness, s, v1, v1 + n) == LAG_OK;
 }
 
-double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s, int *decays)
+double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s)
 {
     const size_t n = s->ode->size;
     const double *v0 = stiffness->v;
     const double *v1 = v0 + n;
     const double *v2 = v1 + n;
     const int found = iterate(stiffness, s);
-    *decays = 0;
     if (n > PRODUCTS) {
         (void)prepare(stiffness, s); /* the system is left at the present state */
     }
@@ -131,21 +129,13 @@ double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s, int
     const double g10 = inner(s, v1, v0);
     const double g00 = inner(s, v0, v0);
     const double determinant = g11 * g00 - g10 * g10;
-    const double along = g10 / g00;
     if (!(determinant > 1e-12 * g11 * g00)) {
-        *decays = along < 0.0;
-        return fabs(along);
+        return fabs(g10 / g00);
     }
     const double a = (inner(s, v2, v1) * g00 - inner(s, v2, v0) * g10) / determinant;
     const double b = (inner(s, v2, v0) * g11 - inner(s, v2, v1) * g10) / determinant;
     const double discriminant = 0.25 * a * a + b;
-    if (discriminant < 0.0) {
-        *decays = -0.5 * a > 0.05 * sqrt(-b);
-        return sqrt(-b);
-    }
-    const double value = 0.5 * a + (a < 0.0 ? -1.0 : 1.0) * sqrt(discriminant);
-    *decays = value < 0.0;
-    return fabs(value);
+    return discriminant < 0.0 ? sqrt(-b) : 0.5 * fabs(a) + sqrt(discriminant);
 }
 
 /* The work of the implicit method since the last question, in evaluations. */
@@ -156,6 +146,7 @@ static double effort_since(const lag_stiffness *stiffness, const lag_stepper *s)
         .evaluations = s->counts.evaluations - before->evaluations,
         .jacobians = s->counts.jacobians - before->jacobians,
         .decompositions = s->counts.decompositions - before->decompositions,
+        .directions = s->counts.directions - before->directions,
     };
     return lag_radau_effort(s, &done);
 }
@@ -166,67 +157,83 @@ static void mark(lag_stiffness *stiffness, const lag_stepper *s)
     stiffness->before = s->counts;
 }
 
-/* Evaluations of the explicit method so far. */
-static double spent(const lag_stiffness *stiffness, const lag_stepper *s)
+/* The evaluations of the explicit method since it was marked last are those since then. */
+static void count_explicit(lag_stiffness *stiffness, const lag_stepper *s)
 {
-    return stiffness->spent + (double)(s->counts.evaluations - stiffness->before.evaluations);
+    stiffness->spent += (double)(s->counts.evaluations - stiffness->before.evaluations);
+    mark(stiffness, s);
 }
 
 /*
- * Evaluations that a trial of the implicit method may cost: a part of what the explicit one takes to `stop`, without what was lost before. As nobody
- * knows what comes behind `stop`, it may also cost as much again as was spent; if anything was lost, it has to be that part of it.
+ * True if the implicit method is to go on: one step of it reaches so far that it takes less work to `stop`, its begin included, than the
+ * explicit one does. As nobody knows what comes behind `stop`, at least as much is expected to come as there was.
  */
-static double budget(const lag_stiffness *stiffness, const lag_stepper *s, double stop)
+static int is_worth_it(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
-    const double ahead = EXPLICIT * (stop - s->t) / (s->t - s->t_before);
-    const double so_far = spent(stiffness, s);
-    return fmax(so_far - PARTS * stiffness->lost, (so_far + ahead) / PARTS - stiffness->lost);
-}
-
-/* True if the implicit method is to be tried; else the explicit one goes on for some steps. */
-static int is_worth_a_trial(lag_stiffness *stiffness, lag_stepper *s, double stop)
-{
-    const double most = budget(stiffness, s, stop);
-    int decays = 0;
-    stiffness->wait = PAUSE;
-    if (stiffness->trial > most || (s->t - s->t_before) * lag_stiffness_fastest(stiffness, s, &decays) <= BORDER || !decays) {
+    const double ahead = fmax((stop - s->t) / stiffness->progress, stiffness->spent);
+    const lag_radau_plan plan = lag_radau_expect(s);
+    if (stiffness->lost + plan.probe > (stiffness->spent + ahead) / PARTS || plan.begin >= ahead) {
         return 0;
     }
-    stiffness->trial = lag_radau_trial(s, EVERY * BACK);
-    stiffness->wait = (unsigned)fmin(ceil(fmax(stiffness->trial - most, 0.0) / EXPLICIT), PAUSE);
-    return stiffness->wait == 0;
+    const double h = stiffness->progress * plan.step * ahead / (ahead - plan.begin);
+    if (h > fmin(s->h_most, stop - s->t)) {
+        return 0;
+    }
+    const int reaches = lag_radau_reaches(s, h, stiffness->v);
+    stiffness->visit = effort_since(stiffness, s);
+    stiffness->looks = 0.0;
+    if (reaches) {
+        s->h = h;
+    } else {
+        stiffness->lost += stiffness->visit;
+        (void)lag_stepper_rates(s, s->t, s->x, stiffness->v); /* the system is left at the present state */
+    }
+    return reaches;
 }
 
-const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop)
+/* After a step of the explicit method. */
+static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
-    const double h = s->t - s->t_before;
-    int decays = 0;
-    if (stiffness->wait > 0) {
-        --stiffness->wait;
+    if (s->last.urge <= EASY) {
+        stiffness->signs -= stiffness->signs > 0;
         return s->method;
     }
-    if (!s->method->implicit) {
-        stiffness->signs = s->last.urge > BORDER ? stiffness->signs + 1 : 0;
-        if (stiffness->signs < SIGNS) {
-            return s->method;
-        }
-        stiffness->signs = 0;
-        if (!is_worth_a_trial(stiffness, s, stop)) {
-            return s->method;
-        }
-        stiffness->spent = spent(stiffness, s);
-        stiffness->visit = 0.0;
-        stiffness->wait = EVERY;
-        stiffness->progress = h / EXPLICIT;
-        mark(stiffness, s);
-        return &lag_radau;
+    if (stiffness->signs == 0) {
+        count_explicit(stiffness, s);
     }
-    stiffness->wait = EVERY;
+    if (++stiffness->signs < SIGNS) {
+        return s->method;
+    }
+    const double since = stiffness->t;
+    const double before = stiffness->spent;
+    count_explicit(stiffness, s);
+    stiffness->progress = (s->t - since) / (stiffness->spent - before);
+    stiffness->signs = 0;
+    const int changes = is_worth_it(stiffness, s, stop);
+    stiffness->wait = changes ? EVERY : PAUSE;
+    mark(stiffness, s);
+    return changes ? &lag_radau : s->method;
+}
+
+/* True if the explicit method could do steps as long as those of the implicit one; looked at as often as that costs little. */
+static int is_easy(lag_stiffness *stiffness, lag_stepper *s)
+{
+    if (stiffness->looks + PRODUCTS > stiffness->visit / PARTS) {
+        return 0;
+    }
+    stiffness->looks += PRODUCTS;
+    return fmin(s->h, s->t - s->t_before) * lag_stiffness_fastest(stiffness, s) < EASY;
+}
+
+/* After some steps of the implicit method. */
+static const lag_method *after_implicit(lag_stiffness *stiffness, lag_stepper *s)
+{
     const double effort = effort_since(stiffness, s);
     const int slow = s->t - stiffness->t < stiffness->progress * effort;
     stiffness->visit += effort;
+    stiffness->wait = EVERY;
+    const int easy = is_easy(stiffness, s);
     mark(stiffness, s);
-    const int easy = fmin(s->h, h) * lag_stiffness_fastest(stiffness, s, &decays) < EASY;
     stiffness->signs = easy || slow ? stiffness->signs + 1 : 0;
     if (stiffness->signs < stiffness->needed) {
         return s->method;
@@ -235,6 +242,14 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s,
     stiffness->needed *= slow ? 1 : 2;
     stiffness->signs = 0;
     stiffness->wait = 0;
-    mark(stiffness, s);
     return &lag_dop853;
+}
+
+const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop)
+{
+    if (stiffness->wait > 0) {
+        --stiffness->wait;
+        return s->method;
+    }
+    return s->method->implicit ? after_implicit(stiffness, s) : after_explicit(stiffness, s, stop);
 }

@@ -1,12 +1,13 @@
 /*
- * Is the step limited by stability instead of accuracy? The explicit method itself measures h |lambda| at every step; where that
- * stays near the border of its stability region, the Jacobian tells whether its fastest eigenvalue decays, so that an implicit
- * method may step over it, or oscillates, which every method has to follow.
+ * Which method makes more of the same work: an explicit step limited by stability, or an implicit one, which is longer and costs more? Work is counted in
+ * evaluations of the rates.
  *
- * An implicit step costs more: it is tried where that costs no more than a part of the explicit steps to the end, and given up where it makes less
- * of the same work than the explicit one did. Work is counted in evaluations of the rates.
+ * The explicit method itself measures h |lambda| at every step. Where that stays near the border of its stability region, one step of the implicit method
+ * is tried beside the motion: as long as it has to be to take less work to the end than the explicit steps would. Its error estimate knows what no
+ * eigenvalue tells, whether fast components, decaying or oscillating, are still part of the motion. If it is below the tolerance, the implicit method
+ * goes on, and gives the run back where it makes less of the same work than the explicit one did.
  *
- * Source of the test: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.2, (2.38).
+ * Source of the measure: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.2, (2.38).
  */
 #ifndef LAG_STIFFNESS_H
 #define LAG_STIFFNESS_H
@@ -14,15 +15,15 @@
 #include "lag/stepper.h"
 
 typedef struct lag_stiffness {
-    unsigned signs;     /* steps in a row that speak for a change */
+    unsigned signs;     /* late steps near the border without as many that are not; of the implicit method, questions in a row that speak for a change */
     unsigned wait;      /* steps until the next question */
     unsigned needed;    /* signs for a change back to the explicit method; doubled by every one to a motion that is not stiff */
-    double t;           /* at the last question to the implicit method, or when the explicit one began, */
+    double t;           /* at the last question to the implicit method, or when signs of the explicit one began, */
     lag_step_counts before; /* and the work then */
     double progress;    /* of the explicit method for each evaluation, when it was left */
-    double spent;       /* evaluations of the explicit method before it began last, */
+    double spent;       /* evaluations of the explicit method before `before` */
     double visit, lost; /* and the work of the implicit one, in the same measure: since it began, and all that was in vain */
-    double trial;       /* what a trial was found to cost last */
+    double looks;       /* of the visit, that at eigenvalues */
     double *matrix;     /* (size, size) the Jacobian of a small system */
     double *v;          /* (3, size) */
     double *f, *point;  /* (size) the rates at the present state, and another state */
@@ -37,9 +38,9 @@ void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop);
 
 /*
- * The eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the tolerances of
- * `s` scale, and whether it decays noticeably (by 1/20 of its magnitude); 0 where it is not to be had.
+ * Magnitude of the eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the
+ * tolerances of `s` scale; 0 where it is not to be had.
  */
-double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s, int *decays);
+double lag_stiffness_fastest(const lag_stiffness *stiffness, lag_stepper *s);
 
 #endif

@@ -63,11 +63,12 @@ static int correct(const lag_stepper *stepper, const lag_radau_places *at, const
     const size_t size = lag_radau_size(stepper->ode);
     const size_t stages = at->table->stages;
     double before = (double)INFINITY;
+    size_t directions = 0; /* the work of columns tells nothing of the method for the state */
     lag_fill(stages * size, 0.0, system->z);
     lag_fill(stages * size, 0.0, system->w);
     for (unsigned k = 0; k < MOST; ++k) {
         find_sides(stepper, at, system);
-        const double change = lag_radau_correction(stepper, at, stepper->t - stepper->t_before);
+        const double change = lag_radau_correction(stepper, at, stepper->t - stepper->t_before, &directions);
         if (!isfinite(change)) {
             return 0;
         }

@@ -60,6 +60,7 @@ static void record_stepper(lag_stepper *s, lag_record *record)
     RECORD(s->counts.evaluations);
     RECORD(s->counts.jacobians);
     RECORD(s->counts.decompositions);
+    RECORD(s->counts.directions);
     RECORD(s->counts.steps);
     RECORD(s->counts.rejections);
     RECORD(s->trouble.status);
@@ -125,8 +126,8 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.progress);
     RECORD(run->methods.stiffness.spent);
     RECORD(run->methods.stiffness.visit);
+    RECORD(run->methods.stiffness.looks);
     RECORD(run->methods.stiffness.lost);
-    RECORD(run->methods.stiffness.trial);
     RECORD(run->guards.pieces.span);
     RECORD(run->guards.pieces.reach);
     RECORD(run->guards.pieces.limit);

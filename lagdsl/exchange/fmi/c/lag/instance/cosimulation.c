@@ -125,7 +125,7 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
     const double count = fmax(1.0, ceil((end - begun) / held->step - LAG_SAME_TICK));
     lag_status status = count <= LAG_MOST_STEPS ? LAG_OK : LAG_TOO_LONG;
     if (held->implicit < 0) {
-        held->implicit = held->step * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper, &(int){0}) > STABLE;
+        held->implicit = held->step * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper) > STABLE;
     }
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
         status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->scratch.fixed);
