@@ -3,7 +3,8 @@
 Equations have many roots where a potential has many stationary points, as a stiff rope has with kinks. From far away
 Newton's method arrives at any of them, the flow x' = r(x) only at those that it is drawn to: along forces that have a
 potential it descends, so its ends are minima. Steps of implicit Euler pass stiff directions at once; they grow as
-long as Newton's method solves them soon, and end as whole steps of Newton's method.
+long as Newton's method solves them soon, and end as whole steps of Newton's method. Where the flow leaves a saddle
+they stay shorter than the time in which it does: longer ones lead into it.
 Source: C. T. Kelley and D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508.
 """
 
@@ -17,20 +18,22 @@ from lagdsl.foundation.numerics.rank import Floats
 
 # Residual (m,) of a step of this length from a point, and its Jacobian (m, n).
 Implicit = Callable[[Floats, Floats, float], tuple[Floats, Floats]]
+Growth = Callable[[Floats], float]
 
 _STEPS = 200
 _CORRECTIONS = 8
 _LONGEST = 0.5  # a step, in the sizes of the unknowns
 _NEAR = 1e-6  # a correction as short as this ends a step
 _GROWS, _SHRINKS = 4.0, 4.0
+_LEAVES = 0.5  # the longest step by the time in which a deviation grows e-fold
 _RANGE = 1e12  # of the lengths of steps, either way
 
 
-def fall(implicit: Implicit, start: Floats, length: float) -> Floats | None:
+def fall(implicit: Implicit, growth: Growth, start: Floats, length: float) -> Floats | None:
     """Where the flow from `start` ends; None if it does not come to rest.
 
     `implicit(x, before, step)` gives the equations of a step of implicit Euler from `before` to x and their Jacobian;
-    `length` is the first step.
+    `growth(x)` is the largest real part of the eigenvalues of the flow there, `length` the first step.
     """
     point, step = start, length
     for _ in range(_STEPS):
@@ -44,7 +47,8 @@ def fall(implicit: Implicit, start: Floats, length: float) -> Floats | None:
         point = found
         if resting and step > _RANGE * length:
             return point
-        step *= _GROWS
+        rate = growth(point)
+        step = min(_GROWS * step, _LEAVES / rate if rate > 0.0 else np.inf)
     return None
 
 

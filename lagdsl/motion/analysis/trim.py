@@ -61,6 +61,8 @@ _CLOSE = 1.0
 _MOST_TOLD = 4
 # So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
 _MOST_CHANGES = 12
+# Rates of growth below this part of the fastest rate are rounding errors.
+_ROUNDING = 1e-13
 _STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 
 
@@ -287,6 +289,8 @@ def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], 
     placed = {i: i for i in range(n)} | {2 * n + i: n + i for i in range(len(task.start.z))}
     if len(task.rates) < n or not placed.keys() >= set(task.free):
         return None
+    from scipy.linalg import eigvals
+
     first = len(scale) - len(task.grip.rows) - n - len(task.start.z)
     rows = [first + placed[i] for i in task.free]
     widths = task.widths[list(task.free)] / scale[rows]
@@ -299,7 +303,14 @@ def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], 
         free = own(x)
         return free @ (residual - inertia @ (x - before) / step), free @ (jacobian - inertia / step)
 
-    point = fall(implicit, origin, 1.0 / pace) if pace > 0.0 and np.isfinite(pace) else None
+    def growth(x: Floats) -> float:
+        free = own(x)
+        rates = eigvals(free @ equations(x)[1], free @ inertia)
+        finite = rates[np.isfinite(rates)]
+        largest = float(np.max(finite.real, initial=0.0))
+        return largest if largest > _ROUNDING * float(np.max(np.abs(finite), initial=0.0)) else 0.0
+
+    point = fall(implicit, growth, origin, 1.0 / pace) if pace > 0.0 and np.isfinite(pace) else None
     if point is None:
         return None
     residual = equations(point)[0]

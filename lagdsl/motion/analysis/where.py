@@ -111,7 +111,7 @@ def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
     _report_assumed(system, where, sink)
     found = _found(sink, lambda own: _equilibrium(system, where, own))
     if found.growth and not sampled(system):
-        sink.report("W0869", None, count=counted(len(found.growth), "mode"), rate=f"{found.growth[0]:.3g}")
+        sink.report("W0869", None, count=counted(len(found.growth), "growing mode"), rate=f"{found.growth[0]:.3g}")
     return found
 
 
