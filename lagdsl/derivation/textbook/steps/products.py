@@ -140,5 +140,5 @@ def _sum(terms: list[Term], places: tuple[int, ...]) -> Term:
         text = text[: found[place].start()] + letter + text[found[place].end() :]
     numbers = [term.number for term in terms]
     alike = max(numbers) - min(numbers) <= _NOTHING * abs(numbers[0])
-    weights = "" if alike else f"{{{', '.join(number_text(number) for number in numbers)}}}[{letter}]*"
+    weights = "" if alike else f"{{{', '.join(_shown(Term(number)) for number in numbers)}}}[{letter}]*"
     return Term(numbers[0] if alike else 1.0, (f"sum({weights}{text} for {letter} in 1:{len(terms)})",))
