@@ -21,7 +21,7 @@ from lagdsl.language.flat.expression_text import flat_expression_text
 from lagdsl.language.flat.traversal import step_expressions
 
 _LONGEST = 2500  # characters of a row that is printed
-_OF_NUMBERS = {"+": add, "-": sub, "*": mul, "/": truediv, "^": pow}
+_OF_NUMBERS: dict[str, Callable[[float, float], float]] = {"+": add, "-": sub, "*": mul, "/": truediv, "^": pow}
 
 _Rule: TypeAlias = "Callable[[fx.FlatExpression], list[Term]]"
 
@@ -272,7 +272,9 @@ def _placed(position: fx.FlatExpression) -> tuple[str, tuple[fx.FlatExpression, 
             frame, place = _placed(position.left)
             if frame == along.frame and place[along.axis] == fx.ZERO:
                 return frame, (*place[: along.axis], length, *place[along.axis + 1 :])
-    raise _NotWritten
+            raise _NotWritten
+        case _:
+            raise _NotWritten
 
 
 def _number(expression: fx.FlatExpression) -> float | None:
@@ -286,7 +288,7 @@ def _number(expression: fx.FlatExpression) -> float | None:
         case fx.Binary():
             left, right = _number(expression.left), _number(expression.right)
             of = _OF_NUMBERS.get(expression.operator)
-            return None if left is None or right is None or of is None else float(of(left, right))
+            return None if left is None or right is None or of is None else of(left, right)
         case _:
             return None
 

@@ -110,7 +110,8 @@ def _folded(terms: list[Term]) -> list[Term]:
     found: list[Term] = []
     rest = list(terms)
     while rest:
-        first, places, count = rest[0], (), 1
+        first, count = rest[0], 1
+        places: tuple[int, ...] = ()
         while count < len(rest) and (differing := _next_index(first, rest[count], count + 1)) is not None:
             if places and differing != places:
                 break
