@@ -284,18 +284,20 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
 
 def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], scale: Floats) -> Minimizer | None:
     """Where rates as large as the accelerations lead from the start: along the constraints, down a potential. None for
-    a motion, and where something else than places and states is free."""
+    a motion, where inputs are free, and where unknowns are more than rows."""
     n, origin = len(task.start.q), np.zeros(len(task.free))
-    placed = {i: i for i in range(n)} | {2 * n + i: n + i for i in range(len(task.start.z))}
-    if len(task.rates) < n or not placed.keys() >= set(task.free):
+    last = 2 * n + len(task.start.z)
+    if len(task.rates) < n or len(own(origin)) < len(task.free) or any(i >= last for i in task.free):
         return None
     from scipy.linalg import eigvals
 
     first = len(scale) - len(task.grip.rows) - n - len(task.start.z)
-    rows = [first + placed[i] for i in task.free]
-    widths = task.widths[list(task.free)] / scale[rows]
+    columns = [k for k, i in enumerate(task.free) if not n <= i < 2 * n]  # rates follow
+    moved = [task.free[k] for k in columns]
+    rows = [first + (i if i < n else i - n) for i in moved]
+    widths = task.widths[moved] / scale[rows]
     inertia = np.zeros((len(scale), len(task.free)))
-    inertia[rows, np.arange(len(rows))] = widths
+    inertia[rows, columns] = widths
     pace = float(np.linalg.norm(equations(origin)[0][rows] / widths))
 
     def implicit(x: Floats, before: Floats, step: float) -> tuple[Floats, Floats]:
@@ -305,7 +307,11 @@ def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], 
 
     def growth(x: Floats) -> float:
         free = own(x)
-        rates = eigvals(free @ equations(x)[1], free @ inertia)
+        pencil = np.hstack([free @ equations(x)[1], free @ inertia])
+        if not np.all(np.isfinite(pencil)):
+            return 0.0
+        of_rows = np.linalg.svd(pencil)[0][:, : len(task.free)].T  # without the rows that follow from others
+        rates = eigvals(*np.hsplit(of_rows @ pencil, 2))
         finite = rates[np.isfinite(rates)]
         largest = float(np.max(finite.real, initial=0.0))
         return largest if largest > _ROUNDING * float(np.max(np.abs(finite), initial=0.0)) else 0.0
