@@ -3,9 +3,8 @@
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
 method with exact derivatives, first along the path on which the forces of the start are let go. Where that ends far
-away a model at rest falls, as slowly as a heavily damped one. Elsewhere the method is damped, from the start itself and
-from where a spring to the start lets the residuals become least; the nearer solution is taken, others are tried where
-there is none. Truths of relations and closed contacts are those of the start; where they are others at the solution it
+away a model at rest falls, slowly. Elsewhere the method is damped, from the start itself and from where a spring to the
+start lets the residuals become least; the nearer solution is taken, others are tried where there is none. Truths of relations and closed contacts are those of the start; where they are others at the solution it
 is looked for again with these.
 
 Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
@@ -31,11 +30,10 @@ from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer,
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.naming import rate_text
 from lagdsl.motion.analysis.discretes import discretes_at, open_contacts
-from lagdsl.motion.analysis.eigen import eigen
 from lagdsl.motion.analysis.friction import FrictionForce, friction_forces
 from lagdsl.motion.analysis.grip import Grip, grip_at, gripping, unheld
-from lagdsl.motion.analysis.linearize import Named, Reduced, holonomic_rows, reduce
-from lagdsl.motion.analysis.modes import AXIS
+from lagdsl.motion.analysis.linearize import Named, holonomic_rows, reduce
+from lagdsl.motion.analysis.modes import growth
 from lagdsl.motion.analysis.partition import partition
 from lagdsl.motion.analysis.point import (
     Changes,
@@ -167,16 +165,9 @@ def trim_at(
         unknowns=tuple(names[i] for i in task.free if i in _asked(task, names, free)),
         residual=found.size,
         steadiness=kind,
-        growth=_growth(at) if kind.kind == "equilibrium" else (),
+        growth=growth(at) if kind.kind == "equilibrium" else (),
         frictions=friction_forces(system, at.flow),
     )
-
-
-def _growth(at: Reduced) -> tuple[float, ...]:
-    """Real parts beyond what rounding makes of a double zero beside the fastest mode."""
-    values = eigen(at.a)[0]
-    least = AXIS * float(np.max(np.abs(values), initial=0.0))
-    return tuple(sorted((real for real in values.real.tolist() if real > least), reverse=True))
 
 
 def _reached(
@@ -305,18 +296,19 @@ def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], 
         free = own(x)
         return free @ (residual - inertia @ (x - before) / step), free @ (jacobian - inertia / step)
 
-    def growth(x: Floats) -> float:
+    def leaving(x: Floats) -> float:
         free = own(x)
         pencil = np.hstack([free @ equations(x)[1], free @ inertia])
         if not np.all(np.isfinite(pencil)):
             return 0.0
         of_rows = np.linalg.svd(pencil)[0][:, : len(task.free)].T  # without the rows that follow from others
-        rates = eigvals(*np.hsplit(of_rows @ pencil, 2))
+        left, right = np.hsplit(of_rows @ pencil, 2)
+        rates = np.asarray(eigvals(left, right))
         finite = rates[np.isfinite(rates)]
         largest = float(np.max(finite.real, initial=0.0))
         return largest if largest > _ROUNDING * float(np.max(np.abs(finite), initial=0.0)) else 0.0
 
-    point = fall(implicit, growth, origin, 1.0 / pace) if pace > 0.0 and np.isfinite(pace) else None
+    point = fall(implicit, leaving, origin, 1.0 / pace) if pace > 0.0 and np.isfinite(pace) else None
     if point is None:
         return None
     residual = equations(point)[0]

@@ -136,20 +136,16 @@ class _Rows:
         """In the coordinates, with coefficients that do not change."""
         if self._fixed(expression):
             return True
-        match expression:
-            case fx.Variable():
-                item = self._named.get(expression.name)
-                return not isinstance(item, fm.Definition) or self._linear(item.value)
-            case fx.Unary(operator="-"):
-                return self._linear(expression.operand)
-            case fx.Binary(operator="+" | "-"):
-                return self._linear(expression.left) and self._linear(expression.right)
-            case fx.Binary(operator="*" | "/"):
-                divides = expression.operator == "/"
-                fixed = self._fixed(expression.right) or (not divides and self._fixed(expression.left))
-                return fixed and self._linear(expression.left) and self._linear(expression.right)
-            case _:
-                return False
+        if isinstance(expression, fx.Variable):
+            item = self._named.get(expression.name)
+            return not isinstance(item, fm.Definition) or self._linear(item.value)
+        if isinstance(expression, fx.Unary):
+            return expression.operator == "-" and self._linear(expression.operand)
+        if not isinstance(expression, fx.Binary) or expression.operator not in ("+", "-", "*", "/"):
+            return False
+        fixed = self._fixed(expression.right) or (expression.operator == "*" and self._fixed(expression.left))
+        alone = expression.operator in ("+", "-") or fixed
+        return alone and self._linear(expression.left) and self._linear(expression.right)
 
     def _components(self, vector: fx.FlatExpression) -> list[list[Term]]:
         if isinstance(vector, fx.Vector):
@@ -196,34 +192,34 @@ class _Rows:
 
     def _vanishes(self, expression: fx.FlatExpression) -> bool:
         """Zero by the form of the expression, as the curvature out of the plane of a cable that stays in it."""
-        match expression:
-            case fx.Number():
-                return expression.value == 0.0
-            case fx.Variable():
-                item = self._named.get(expression.name)
-                return isinstance(item, fm.Definition) and self._vanishes(item.value)
-            case fx.Unary(operator="-"):
-                return self._vanishes(expression.operand)
-            case fx.Binary(operator="+" | "-"):
-                return self._vanishes(expression.left) and self._vanishes(expression.right)
-            case fx.Binary(operator="*"):
-                return self._vanishes(expression.left) or self._vanishes(expression.right)
-            case fx.Binary(operator="/"):
-                return self._vanishes(expression.left)
-            case fx.Component(vector=fx.Binary(operator="/") as ratio):
-                return self._vanishes(fx.Component(ratio.left, expression.axis))
-            case fx.Component(vector=fx.Binary(operator="*") as scaled):
-                return any(self._vanishes(fx.Component(each, expression.axis)) for each in (scaled.left, scaled.right))
-            case fx.Component(vector=fx.Vector() as vector):
-                return self._vanishes((vector.x, vector.y, vector.z)[expression.axis])
-            case fx.Component(vector=fx.Cross(left=left, right=right)):
-                others = [axis for axis in range(3) if axis != expression.axis]
-                return all(
-                    self._vanishes(fx.Component(left, a)) or self._vanishes(fx.Component(right, b))
-                    for a, b in (others, others[::-1])
-                )
-            case _:
-                return False
+        if isinstance(expression, fx.Number):
+            return expression.value == 0.0
+        if isinstance(expression, fx.Variable):
+            item = self._named.get(expression.name)
+            return isinstance(item, fm.Definition) and self._vanishes(item.value)
+        if isinstance(expression, fx.Unary):
+            return expression.operator == "-" and self._vanishes(expression.operand)
+        if isinstance(expression, fx.Binary):
+            left = self._vanishes(expression.left)
+            if expression.operator in ("+", "-"):
+                return left and self._vanishes(expression.right)
+            return expression.operator in ("*", "/") and (
+                left or (expression.operator == "*" and self._vanishes(expression.right))
+            )
+        return isinstance(expression, fx.Component) and self._vanishes_along(expression.vector, expression.axis)
+
+    def _vanishes_along(self, vector: fx.FlatExpression, axis: int) -> bool:
+        if isinstance(vector, fx.Vector):
+            return self._vanishes((vector.x, vector.y, vector.z)[axis])
+        if isinstance(vector, fx.Binary) and vector.operator in ("*", "/"):
+            return any(self._vanishes_along(each, axis) for each in (vector.left, vector.right))
+        if isinstance(vector, fx.Cross):
+            others = [other for other in range(3) if other != axis]
+            return all(
+                self._vanishes_along(vector.left, a) or self._vanishes_along(vector.right, b)
+                for a, b in (others, others[::-1])
+            )
+        return False
 
     def _by_rate(self, expression: fx.FlatExpression, name: str) -> list[Term]:
         """The derivative by the rate of a coordinate."""
@@ -263,34 +259,31 @@ class _Rows:
 
 def _placed(position: fx.FlatExpression) -> tuple[str, tuple[fx.FlatExpression, ...]]:
     """The frame and the components in its axes: of a vector of the world, and of a point of a frame."""
-    match position:
-        case fx.Vector():
-            return "world", (position.x, position.y, position.z)
-        case fx.FrameOrigin():
-            return position.frame, (fx.ZERO, fx.ZERO, fx.ZERO)
-        case fx.Binary(operator="+", right=fx.Binary(operator="*", left=length, right=fx.FrameAxis() as along)):
-            frame, place = _placed(position.left)
-            if frame == along.frame and place[along.axis] == fx.ZERO:
-                return frame, (*place[: along.axis], length, *place[along.axis + 1 :])
-            raise _NotWritten
-        case _:
-            raise _NotWritten
+    if isinstance(position, fx.Vector):
+        return "world", (position.x, position.y, position.z)
+    if isinstance(position, fx.FrameOrigin):
+        return position.frame, (fx.ZERO, fx.ZERO, fx.ZERO)
+    if not isinstance(position, fx.Binary) or position.operator != "+" or not isinstance(position.right, fx.Binary):
+        raise _NotWritten
+    length, along = position.right.left, position.right.right
+    frame, place = _placed(position.left)
+    if not isinstance(along, fx.FrameAxis) or frame != along.frame or place[along.axis] != fx.ZERO:
+        raise _NotWritten
+    return frame, (*place[: along.axis], length, *place[along.axis + 1 :])
 
 
 def _number(expression: fx.FlatExpression) -> float | None:
     """The value of what has no names."""
-    match expression:
-        case fx.Number():
-            return expression.value
-        case fx.Unary(operator="-"):
-            value = _number(expression.operand)
-            return None if value is None else -value
-        case fx.Binary():
-            left, right = _number(expression.left), _number(expression.right)
-            of = _OF_NUMBERS.get(expression.operator)
-            return None if left is None or right is None or of is None else of(left, right)
-        case _:
-            return None
+    if isinstance(expression, fx.Number):
+        return expression.value
+    if isinstance(expression, fx.Unary) and expression.operator == "-":
+        value = _number(expression.operand)
+        return None if value is None else -value
+    if not isinstance(expression, fx.Binary):
+        return None
+    left, right = _number(expression.left), _number(expression.right)
+    of = _OF_NUMBERS.get(expression.operator)
+    return None if left is None or right is None or of is None else of(left, right)
 
 
 def _factor(expression: fx.FlatExpression) -> str:
