@@ -3,9 +3,9 @@
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
 method with exact derivatives, first along the path on which the forces of the start are let go. Where that ends far
-away a model at rest falls, slowly. Elsewhere the method is damped, from the start itself and from where a spring to the
-start lets the residuals become least; the nearer solution is taken, others are tried where there is none. Truths of relations and closed contacts are those of the start; where they are others at the solution it
-is looked for again with these.
+away a model at rest falls, slowly. Else the method is damped, from the start and from where a spring to it lets
+residuals become least; the nearer solution is taken. Truths of relations and closed contacts are those of the start,
+and where they are others at the solution it is looked for again with these.
 
 Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
 of a position. Where there is no such equilibrium things may slide to another one. There friction holds what stands
