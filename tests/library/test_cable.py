@@ -60,12 +60,12 @@ def _pull(stiffness: float, length: float) -> float:
 
 
 @cache
-def _hung(n: int) -> lagdsl.Model:
+def _hung(n: int, more: str = "") -> lagdsl.Model:
     return lagdsl.compile(f"""
 model Catenary
   import Lag.Planar.*;
   Lag.Flexible.Cable cable(n = {n}, dim = 2, L = 2 m, A = 1 mm^2, E = 0.1 MPa, I = 1e-6 mm^4, density = 1000 kg/m3,
-      reach = {{1.6 m, 0, 0}});
+      reach = {{1.6 m, 0, 0}}{more});
   Revolute pin;
   Fixed post(r = {{1.6 m, 0}});
   gravity = -g_n*world.y;
@@ -88,16 +88,17 @@ def test_a_catenary_sags_with_more_than_fourth_order() -> None:
 
 
 def test_a_stiff_rope_sags_as_cosh_says() -> None:
-    """Each rope is ten times as stiff as the one before and begins where that hangs; the last does not stretch."""
-    model, start = _hung(8), None
-    for modulus in (1e5, 1e6, 1e7, 1e8, 1e9, 1e10):
-        point = model.trim(parameters={"cable.E": modulus}, start=start).point
-        told = np.asarray(model.output(0.0, point.q, point.qd, parameters={"cable.E": modulus})).ravel()
-        assert told[0] == pytest.approx(_catenary(1e-6 * modulus)[0], rel=1e-3)
-        if modulus <= 1e8:
-            assert told[1] == pytest.approx(_pull(1e-6 * modulus, 0.25), rel=6e-3)
-        start = dict(zip(model.coordinates, point.q.tolist(), strict=True))
-    assert told[0] == pytest.approx(-_inextensible(), rel=1e-3)
+    """From the parabola at which it starts; the last one does not stretch. Where the length is held at five points of
+    each element, the tension of the last is wrong by 76 %, and there are other equilibria with kinks."""
+    errors = []
+    for n, moduli in ((4, (1e6, 1e9)), (8, (1e6, 1e8, 1e10))):
+        model = _hung(n, ", reduced = true")
+        for modulus in moduli:
+            low, pull = _told(model, **{"cable.E": modulus})[:2]
+            assert pull == pytest.approx(_pull(1e-6 * modulus, 2 / n), rel=2e-4)
+            assert low == pytest.approx(_catenary(1e-6 * modulus)[0], rel=6e-4)
+        errors.append(low / -_inextensible() - 1)
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.2)
 
 
 def _inextensible() -> float:

@@ -188,7 +188,8 @@ class SmallMotions(Shown):
         parameters: Mapping[str, Value] | None = None,
         inputs: Mapping[str, Signal | str] | Path | str | None = None,
     ) -> Equilibrium:
-        """The equilibrium nearest to a state: `.point` with `.q .qd .z .u`.
+        """The equilibrium near a state, or from afar the one that the model at rest falls to: `.point` with
+        `.q .qd .z .u`; `.growth` tells an unstable one.
 
         Unknown are coordinates and states that are not fixed, without those in `hold` and with those in `free`, which
         may be inputs and rates, too. Rates that are not given are zero, or with `steady` those of the start. Raises

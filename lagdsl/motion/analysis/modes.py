@@ -116,6 +116,14 @@ def modes_at(system: System, point: Point, sink: Sink) -> Modes | None:
     )
 
 
+def growth(at: Reduced) -> tuple[float, ...]:
+    """Real parts [1/s] of modes that grow, largest first, beyond what rounding makes of a double zero beside the
+    fastest mode."""
+    values = eigen(at.a)[0]
+    least = AXIS * float(np.max(np.abs(values), initial=0.0))
+    return tuple(sorted((real for real in values.real.tolist() if real > least), reverse=True))
+
+
 def _reduced(system: System, point: Point, held: Sequence[int], sink: Sink) -> Reduced | None:
     at = reduce(system, point, held, sink)
     return None if at is None else on_both_sides(system, at, sink, of_modes=True)

@@ -2,10 +2,10 @@
 
 Unknown are the coordinates and first-order states, but for fixed ones, and whatever else is freed: inputs, rates. The
 constraints of both levels and the accelerations have to vanish; rates that are not free keep their values. Newton's
-method with exact derivatives, first along the path on which the forces of the start are let go, then damped, from the
-start itself and from where a spring to the start lets the residuals become least; the nearer solution is taken, others
-are tried where there is none. Truths of relations and
-closed contacts are those of the start; where they are others at the solution it is looked for again with these.
+method with exact derivatives, first along the path on which the forces of the start are let go. Where that ends far
+away a model at rest falls, slowly. Else the method is damped, from the start and from where a spring to it lets
+residuals become least; the nearer solution is taken. Truths of relations and closed contacts are those of the start,
+and where they are others at the solution it is looked for again with these.
 
 Friction that sticks at the start is a constraint first: what it holds stays where it is, as far as its slip is the rate
 of a position. Where there is no such equilibrium things may slide to another one. There friction holds what stands
@@ -14,7 +14,7 @@ still, within its limits.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -24,6 +24,7 @@ from lagdsl.derivation.structure.names import balanced_coordinates, configuratio
 from lagdsl.derivation.structure.points import random_points
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import listing
+from lagdsl.foundation.numerics.gradient_flow import fall
 from lagdsl.foundation.numerics.homotopy import release, settle
 from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer, descend
 from lagdsl.foundation.numerics.rank import Floats
@@ -32,6 +33,7 @@ from lagdsl.motion.analysis.discretes import discretes_at, open_contacts
 from lagdsl.motion.analysis.friction import FrictionForce, friction_forces
 from lagdsl.motion.analysis.grip import Grip, grip_at, gripping, unheld
 from lagdsl.motion.analysis.linearize import Named, holonomic_rows, reduce
+from lagdsl.motion.analysis.modes import growth
 from lagdsl.motion.analysis.partition import partition
 from lagdsl.motion.analysis.point import (
     Changes,
@@ -57,19 +59,23 @@ _CLOSE = 1.0
 _MOST_TOLD = 4
 # So often the truths, and which contacts are closed, may turn out to be others at the equilibrium found.
 _MOST_CHANGES = 12
+# Rates of growth below this part of the fastest rate are rounding errors.
+_ROUNDING = 1e-13
 _STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Equilibrium:
     """`point` with its inputs; `unknowns` are the names that were free, `residual` the largest acceleration left, as a
-    part of what a natural displacement causes. `frictions` are the forces of dry friction, with what they bear."""
+    part of what a natural displacement causes. `growth` are the real parts [1/s] of modes that grow about an
+    equilibrium, largest first. `frictions` are the forces of dry friction, with what they bear."""
 
     model: str
     point: Point
     unknowns: tuple[str, ...]
     residual: float
     steadiness: Steadiness
+    growth: tuple[float, ...] = ()
     frictions: tuple[FrictionForce, ...] = ()
 
 
@@ -152,12 +158,14 @@ def trim_at(
     at = reduce(system, point, holonomic_rows(system), sink)
     if at is None:
         return None
+    kind = steadiness(system, at)
     return Equilibrium(
         model=system.flat.name,
         point=point,
         unknowns=tuple(names[i] for i in task.free if i in _asked(task, names, free)),
         residual=found.size,
-        steadiness=steadiness(system, at),
+        steadiness=kind,
+        growth=growth(at) if kind.kind == "equilibrium" else (),
         frictions=friction_forces(system, at.flow),
     )
 
@@ -244,8 +252,10 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
 
     ends = [end(release(equations, own, origin))]
     if not (ends[0][0].size <= _HOLDS and float(np.linalg.norm(ends[0][0].point)) <= _CLOSE):
+        low = _fallen(task, equations, own, scale)
+        fallen = [] if low is None else [found for found in [end(low)] if found[0].size <= _HOLDS]
         ways = (descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin)))
-        ends += [end(way) for way in ways]
+        ends = fallen or ends + [end(way) for way in ways]
 
     def order(found: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
         way, rest = found
@@ -261,6 +271,48 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
         found = _judged(task, scale, descend(equations, np.array(beginning), target=1e-12))[0]
         best = found if found.size < best.size else best
     return best, _judged(task, scale, best)[1]
+
+
+def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], scale: Floats) -> Minimizer | None:
+    """Where rates as large as the accelerations lead from the start: along the constraints, down a potential. None for
+    a motion, where inputs are free, and where unknowns are more than rows."""
+    n, origin = len(task.start.q), np.zeros(len(task.free))
+    last = 2 * n + len(task.start.z)
+    if len(task.rates) < n or len(own(origin)) < len(task.free) or any(i >= last for i in task.free):
+        return None
+    from scipy.linalg import eigvals
+
+    first = len(scale) - len(task.grip.rows) - n - len(task.start.z)
+    columns = [k for k, i in enumerate(task.free) if not n <= i < 2 * n]  # rates follow
+    moved = [task.free[k] for k in columns]
+    rows = [first + (i if i < n else i - n) for i in moved]
+    widths = task.widths[moved] / scale[rows]
+    inertia = np.zeros((len(scale), len(task.free)))
+    inertia[rows, columns] = widths
+    pace = float(np.linalg.norm(equations(origin)[0][rows] / widths))
+
+    def implicit(x: Floats, before: Floats, step: float) -> tuple[Floats, Floats]:
+        residual, jacobian = equations(x)
+        free = own(x)
+        return free @ (residual - inertia @ (x - before) / step), free @ (jacobian - inertia / step)
+
+    def leaving(x: Floats) -> float:
+        free = own(x)
+        pencil = np.hstack([free @ equations(x)[1], free @ inertia])
+        if not np.all(np.isfinite(pencil)):
+            return 0.0
+        of_rows = np.linalg.svd(pencil)[0][:, : len(task.free)].T  # without the rows that follow from others
+        left, right = np.hsplit(of_rows @ pencil, 2)
+        rates = np.asarray(eigvals(left, right))
+        finite = rates[np.isfinite(rates)]
+        largest = float(np.max(finite.real, initial=0.0))
+        return largest if largest > _ROUNDING * float(np.max(np.abs(finite), initial=0.0)) else 0.0
+
+    point = fall(implicit, leaving, origin, 1.0 / pace) if pace > 0.0 and np.isfinite(pace) else None
+    if point is None:
+        return None
+    residual = equations(point)[0]
+    return Minimizer(point=point, residual=residual, size=float(np.linalg.norm(residual)))
 
 
 def _judged(task: _Task, scale: Floats, way: Minimizer) -> tuple[Minimizer, Floats]:

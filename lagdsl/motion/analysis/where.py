@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from lagdsl.derivation.structure.count import counted
 from lagdsl.derivation.structure.names import balanced_coordinates
 from lagdsl.foundation.diagnostics import Sink, failed
 from lagdsl.foundation.diagnostics.suggest import listing
@@ -108,7 +109,10 @@ def trim(system: System, where: Where, sink: Sink) -> Equilibrium:
     """Raises CompilationFailed; warnings go to `sink`."""
     _refuse_delays(system, "search for equilibria")
     _report_assumed(system, where, sink)
-    return _found(sink, lambda own: _equilibrium(system, where, own))
+    found = _found(sink, lambda own: _equilibrium(system, where, own))
+    if found.growth and not sampled(system):
+        sink.report("W0869", None, count=counted(len(found.growth), "growing mode"), rate=f"{found.growth[0]:.3g}")
+    return found
 
 
 def vary(system: System, where: Where, name: str, values: Floats, sink: Sink) -> Variation:

@@ -85,4 +85,10 @@ ROWS: dict[str, Row] = {
         "delayed",
         "simulate it; or write an approximation by states in place of the delay, for a short one `der(y) = (x - y)/T`",
     ),
+    "W0869": warning(
+        "this equilibrium is unstable: {count}, the fastest as exp({rate}*time)",
+        None,
+        "a motion leaves it unless a controller holds it; another one needs nearer starts, such as an equilibrium "
+        "with other parameters",
+    ),
 }

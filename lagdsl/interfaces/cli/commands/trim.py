@@ -20,7 +20,8 @@ from lagdsl.motion.analysis.where import trim
 @click.command("trim", cls=Command)
 @takes_state
 def command(options: Options) -> None:
-    """Find the equilibrium of FILE nearest to its start: coordinates and states at which nothing accelerates.
+    """Find the equilibrium of FILE near its start, or from afar the one that the model at rest falls to: coordinates
+    and states at which nothing accelerates. An unstable one is told.
 
     The option --trim of the other commands is always on here.
     """
@@ -36,6 +37,7 @@ def command(options: Options) -> None:
         header = ["", "", "force", "limit", "unit", "margin", ""]
         text += f"\nDry friction:\n{text_table(header, [_friction(each) for each in found.frictions])}"
     data = {"model": found.model, "kind": found.steadiness.kind, "residual": found.residual}
+    data |= {"growth": list(found.growth)}
     data |= {"names": [row[0] for row in rows], "values": [row[1] for row in rows], "unknowns": list(found.unknowns)}
     data |= {"frictions": [each.name for each in found.frictions], "modes": [each.mode for each in found.frictions]}
     data |= {

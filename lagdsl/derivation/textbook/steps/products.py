@@ -1,0 +1,145 @@
+"""Sums of products as texts: like terms are one, equal factors cancel, terms that differ by an index are a sum."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import field, replace
+from fractions import Fraction
+
+from lagdsl.foundation.record import record
+from lagdsl.language.flat.expression_text import number_text
+
+_NOTHING = 1e-12  # of a sum of numbers that cancel each other
+_LARGEST_DENOMINATOR = 1000
+_INDEX = re.compile(r"(?<=[\[,])\d+(?=(?:,\w+)*\](?!\.))")  # not of a component, as of an element
+_LETTERS = ("i", "c")
+_PARTIAL = "d("
+
+
+@record()
+class Term:
+    """A product: number, factors above and below the line, as texts."""
+
+    number: float
+    above: tuple[str, ...] = field(default=())
+    below: tuple[str, ...] = field(default=())
+
+
+def partial_of(name: str, coordinate: str) -> Term:
+    """A derivative that is not written out."""
+    return Term(1.0, (f"{_PARTIAL}{name})/d({coordinate})",))
+
+
+def product(left: Iterable[Term], right: list[Term]) -> list[Term]:
+    return [
+        _cancelled(Term(a.number * b.number, (*a.above, *b.above), (*a.below, *b.below))) for a in left for b in right
+    ]
+
+
+def quotient(left: list[Term], right: list[Term]) -> list[Term]:
+    return [_over(above, below) for above in left for below in right]
+
+
+def _over(above: Term, below: Term) -> Term:
+    return _cancelled(Term(above.number / below.number, (*above.above, *below.below), (*above.below, *below.above)))
+
+
+def _cancelled(term: Term) -> Term:
+    """Without the factors that stand above and below."""
+    above, below = list(term.above), []
+    for factor in term.below:
+        if factor in above:
+            above.remove(factor)
+        else:
+            below.append(factor)
+    return replace(term, above=tuple(above), below=tuple(below))
+
+
+def bracketed(terms: list[Term]) -> list[Term]:
+    """A sum as one factor, without what all its terms have."""
+    sums = _together(terms)
+    if len(sums) < 2:
+        return sums
+    sizes, below = {abs(each.number) for each in sums}, {each.below for each in sums}
+    number, line = sizes.pop() if len(sizes) == 1 else 1.0, below.pop() if len(below) == 1 else ()
+    inner = [Term(each.number / number, each.above, () if line else each.below) for each in sums]
+    return [Term(number, (f"({text_of(inner)})",), line)]
+
+
+def _together(terms: list[Term]) -> list[Term]:
+    """Like terms as one, without those that cancel each other."""
+    sums: dict[tuple[tuple[str, ...], tuple[str, ...]], list[Term]] = {}
+    for term in terms:
+        sums.setdefault((tuple(sorted(term.above)), tuple(sorted(term.below))), []).append(term)
+    found = [(likes, sum(each.number for each in likes)) for likes in sums.values()]
+    return [
+        replace(likes[0], number=number)
+        for likes, number in found
+        if abs(number) > _NOTHING * max(abs(each.number) for each in likes)
+    ]
+
+
+def text_of(terms: list[Term]) -> str:
+    """As it is printed."""
+    text = ""
+    for term in _folded(_folded(_together(terms))):
+        shown = _shown(replace(term, number=abs(term.number)))
+        text += f"{' - ' if term.number < 0 else ' + '}{shown}" if text else f"{'-' * (term.number < 0)}{shown}"
+    return text or "0"
+
+
+def _shown(term: Term) -> str:
+    exact = Fraction(term.number).limit_denominator(_LARGEST_DENOMINATOR)
+    simple = abs(float(exact) - term.number) <= _NOTHING * abs(term.number)
+    above = [str(exact.numerator)] if simple and exact.numerator != 1 else [] if simple else [number_text(term.number)]
+    below = [str(exact.denominator)] if simple and exact.denominator != 1 else []
+    above += _powers(term.above)
+    below += _powers(term.below)
+    line = "*".join(above) or "1"
+    return line if not below else f"{line}/{below[0]}" if len(below) == 1 else f"{line}/({'*'.join(below)})"
+
+
+def _powers(factors: tuple[str, ...]) -> list[str]:
+    return [f"{factor}^{times}" if times > 1 else factor for factor, times in Counter(factors).items()]
+
+
+def _folded(terms: list[Term]) -> list[Term]:
+    """Partial derivatives that follow each other and differ by one index, 1, 2, 3 and so on, as one sum over it."""
+    found: list[Term] = []
+    rest = list(terms)
+    while rest:
+        first, count = rest[0], 1
+        places: tuple[int, ...] = ()
+        while count < len(rest) and (differing := _next_index(first, rest[count], count + 1)) is not None:
+            if places and differing != places:
+                break
+            places, count = differing, count + 1
+        found.append(first if count == 1 else _sum(rest[:count], places))
+        rest = rest[count:]
+    return found
+
+
+def _next_index(first: Term, other: Term, number: int) -> tuple[int, ...] | None:
+    """The places of the index which is 1 in one term and `number` in the other; None if they differ otherwise."""
+    texts = [_shown(replace(term, number=1.0)) for term in (first, other)]
+    if _PARTIAL not in re.sub(r"\w+\(", lambda call: call[0] if call[0] == _PARTIAL else "", texts[0]):
+        return None
+    if _INDEX.sub("", texts[0]) != _INDEX.sub("", texts[1]):
+        return None
+    pairs = list(zip(*(_INDEX.findall(text) for text in texts), strict=True))
+    differing = tuple(place for place, (a, b) in enumerate(pairs) if a != b)
+    return differing if differing and all(pairs[place] == ("1", str(number)) for place in differing) else None
+
+
+def _sum(terms: list[Term], places: tuple[int, ...]) -> Term:
+    text = _shown(replace(terms[0], number=1.0))
+    letter = _LETTERS[f" for {_LETTERS[0]} in " in text]
+    found = list(_INDEX.finditer(text))
+    for place in reversed(places):
+        text = text[: found[place].start()] + letter + text[found[place].end() :]
+    numbers = [term.number for term in terms]
+    alike = max(numbers) - min(numbers) <= _NOTHING * abs(numbers[0])
+    weights = "" if alike else f"{{{', '.join(_shown(Term(number)) for number in numbers)}}}[{letter}]*"
+    return Term(numbers[0] if alike else 1.0, (f"sum({weights}{text} for {letter} in 1:{len(terms)})",))
