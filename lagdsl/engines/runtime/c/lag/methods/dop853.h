@@ -47,6 +47,9 @@ struct lag_stepper;
 /* Slopes of the last accepted step, and the state before it; they are there until the next attempt. */
 lag_attempt_arrays lag_dop853_last(const struct lag_stepper *s);
 
+/* The state x (size) at this part of a step from `before`, of one lane: numbers of `before` and `terms` are `lanes` apart. */
+void lag_dop853_inside(size_t size, size_t lanes, const double *terms, const double *before, double part, double *x);
+
 /* xd (size, lanes) at t (lanes) and x (size, lanes) of stage i; 0: the attempt ends. */
 typedef int lag_attempt_rates(void *context, size_t i, const double *t, const double *x, double *xd);
 
@@ -80,6 +83,20 @@ LAG_ATTEMPT_INLINED void lag_wide_to(double *x, lag_wide value)
 }
 
 typedef unsigned long long lag_wide_bits __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH)));
+typedef long long lag_wide_truth __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH), aligned(8), may_alias));
+
+/* In each place x where the truth (all bits or none) holds, else y. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_chosen(lag_wide_truth truth, lag_wide x, lag_wide y)
+{
+    const lag_wide_bits mask = (lag_wide_bits)truth;
+    return (lag_wide)((mask & (lag_wide_bits)x) | (~mask & (lag_wide_bits)y));
+}
+
+LAG_ATTEMPT_INLINED lag_wide lag_wide_size(lag_wide x)
+{
+    const lag_wide none = {0.0};
+    return (lag_wide)((lag_wide_bits)x & ~(lag_wide_bits)-none);
+}
 
 /* Several entries at i of the weighted slopes, added to `sum`. */
 LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_wide sum)
@@ -97,6 +114,29 @@ LAG_ATTEMPT_INLINED void lag_wide_combined(size_t i, const double *h, lag_wide s
 }
 #else
 #define LAG_ATTEMPT_INLINED static inline
+enum { LAG_WIDTH = 1 };
+typedef double lag_wide;
+typedef int lag_wide_truth;
+
+static inline lag_wide lag_wide_at(const double *x)
+{
+    return *x;
+}
+
+static inline void lag_wide_to(double *x, lag_wide value)
+{
+    *x = value;
+}
+
+static inline lag_wide lag_wide_chosen(lag_wide_truth truth, lag_wide x, lag_wide y)
+{
+    return truth ? x : y;
+}
+
+static inline lag_wide lag_wide_size(lag_wide x)
+{
+    return fabs(x);
+}
 #endif
 
 /* The entry at i of the weighted slopes, added to `sum`. */

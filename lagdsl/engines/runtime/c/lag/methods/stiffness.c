@@ -238,3 +238,13 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s,
     mark(stiffness, s);
     return &lag_dop853;
 }
+
+double lag_stiffness_border(const lag_stiffness *stiffness)
+{
+    return stiffness->wait > 0 ? -1.0 : BORDER;
+}
+
+void lag_stiffness_rest(lag_stiffness *stiffness)
+{
+    stiffness->signs = 0;
+}

@@ -37,6 +37,13 @@ void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop);
 
 /*
+ * A step of the explicit method of which h |lambda| is at most this asks for nothing: where all of several steps are so, one call of
+ * lag_stiffness_rest() stands for the questions after them. Negative: each step is to be told.
+ */
+double lag_stiffness_border(const lag_stiffness *stiffness);
+void lag_stiffness_rest(lag_stiffness *stiffness);
+
+/*
  * The eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the tolerances of
  * `s` scale, and whether it decays noticeably (by 1/20 of its magnitude); 0 where it is not to be had.
  */

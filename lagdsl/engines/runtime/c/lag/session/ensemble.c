@@ -54,6 +54,7 @@ typedef struct crowd {
     size_t lanes;
     lane *lane;
     size_t each;         /* lanes of a group */
+    int opens;           /* between steps nothing but rows, invariants and assertions are looked at: lanes may go on without their runs */
     lag_motions motions[GROUPS];
     lag_attempts attempts[GROUPS];
     lag_stepper *stepper[LAG_ATTEMPT_LANES]; /* that an attempt was made for; null: none */
@@ -267,21 +268,110 @@ static lag_stepper *bring(crowd *all, size_t k)
     }
 }
 
+/* The time of the row that the run waits for. */
+static double next_row(const lag_run *run)
+{
+    return run->counts.row < run->options.count ? run->options.times[run->counts.row] : (double)INFINITY;
+}
+
+/* Lane k, which has entered, goes on without its run from now on, if that may be. */
+static void open_lane(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    lag_run *run = own->run;
+    lag_attempts *attempts = all->attempts + k / all->each;
+    const size_t place = k % all->each;
+    const lag_conditions *conditions = &run->conditions;
+    const int watched = conditions->tolerance != NULL;
+    if (all->opens && !(watched && (!conditions->begun || lag_any(run->motion.model->na, conditions->warned)))) {
+        lag_attempts_open(attempts, place, &run->accuracy);
+        lag_motions_open(all->motions + k / all->each, place, conditions);
+        attempts->step.row[place] = next_row(run);
+        attempts->step.border[place] = run->options.method == NULL ? lag_stiffness_border(&run->methods.stiffness) : (double)INFINITY;
+        attempts->step.left[place] = (double)own->left;
+    }
+}
+
+/* The run of lane k is where the attempt in its lane began, and looks at all of its steps again. */
+static void close_lane(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    lag_run *run = own->run;
+    lag_attempts *attempts = all->attempts + k / all->each;
+    const size_t place = k % all->each;
+    if (attempts->step.open[place] != 0.0) {
+        const size_t steps = lag_attempts_close(attempts, place, &run->stepper, &run->accuracy);
+        lag_motions_close(all->motions + k / all->each, place, &run->conditions);
+        own->steps += steps;
+        own->left -= steps;
+        if (steps > 0 && run->options.method == NULL) {
+            lag_stiffness_rest(&run->methods.stiffness);
+        }
+    }
+}
+
+/* The rows within the step of lane k, which has been accepted there. 0: its run has to see to them. */
+static int record_inside(crowd *all, size_t k)
+{
+    lag_run *run = all->lane[k].run;
+    lag_attempts *attempts = all->attempts + k / all->each;
+    const size_t place = k % all->each;
+    lag_lane_steps *step = &attempts->step;
+    lag_status status = LAG_OK;
+    if (run->motion.model->na > 0) { /* assertions hold at rows, too */
+        return 0;
+    }
+    while (status == LAG_OK && next_row(run) < step->t_new[place]) {
+        lag_attempts_inside(attempts, place, next_row(run), run->point);
+        status = lag_run_row(run, next_row(run), run->point);
+    }
+    step->row[place] = next_row(run);
+    step->evaluations[place] += LAG_DOP853_SLOPES - LAG_DOP853_END - 1;
+    return status == LAG_OK && next_row(run) > step->t_new[place];
+}
+
+/* 1: lane k goes on without its run. */
+static int goes_on(crowd *all, size_t k)
+{
+    const lag_lane_steps *step = &all->attempts[k / all->each].step;
+    const size_t place = k % all->each;
+    if (all->stepper[k] == NULL || (step->accepted[place] == 0.0 && step->refused[place] == 0.0)) {
+        return 0;
+    }
+    return step->refused[place] != 0.0 || step->dense[place] == 0.0 || record_inside(all, k);
+}
+
+/* The step that lane k has an attempt of, if it has one; it is tried again where that was none. */
+static void settle(crowd *all, size_t k)
+{
+    lane *own = all->lane + k;
+    const size_t group = k / all->each;
+    const size_t place = k % all->each;
+    if (all->stepper[k] != NULL) {
+        close_lane(all, k);
+        if (lag_attempts_settle(all->attempts + group, all->stepper[k], place)) {
+            lag_motions_tell(all->motions + group, place, &own->run->conditions.known);
+            step(all, k);
+        }
+    }
+    all->stepper[k] = NULL;
+}
+
 /* Lane k from the attempt that was made for it, if there is one, to the next one, which enters: all of that while its run is at hand. */
 static void advance(crowd *all, size_t k)
 {
     lane *own = all->lane + k;
     const size_t group = k / all->each;
-    const size_t place = k % all->each;
-    if (all->stepper[k] != NULL && lag_attempts_settle(all->attempts + group, all->stepper[k], place)) {
-        lag_motions_tell(all->motions + group, place, &own->run->conditions.known);
-        step(all, k);
+    if (goes_on(all, k)) {
+        return;
     }
+    settle(all, k);
     lag_stepper *s = all->stepper[k] = bring(all, k);
     if (s != NULL) {
         lag_attempt_begin(s, lag_run_limit(own->run, own->goal));
         s->attempt.dense = lag_run_looks_inside(own->run, s->attempt.t_new);
-        lag_attempts_enter(all->attempts + group, s, place);
+        lag_attempts_enter(all->attempts + group, s, k % all->each);
+        open_lane(all, k);
     }
 }
 
@@ -295,22 +385,43 @@ static lag_status take(crowd *all)
     return status;
 }
 
+/* The step of lane k, without the attempt that has entered; one that is there already is settled. */
+static void step_alone(crowd *all, size_t k)
+{
+    lag_lane_steps *own = &all->attempts[k / all->each].step;
+    const size_t place = k % all->each;
+    if (all->lanes > 1 && (own->accepted[place] != 0.0 || own->refused[place] != 0.0)) {
+        settle(all, k);
+        return;
+    }
+    close_lane(all, k);
+    own->used[place] = 0.0;
+    all->stepper[k] = NULL;
+    step(all, k);
+}
+
 /* A step, or an attempt at it, of each lane that has one before it. Returns 0 where there are none. */
 static int step_together(crowd *all)
 {
+    const size_t groups = all->lanes / all->each;
     size_t count = 0;
+    if (is_stopped(all->ensemble)) {
+        return 0;
+    }
     for (size_t k = 0; k < all->lanes; ++k) {
         advance(all, k);
         count += all->stepper[k] != NULL;
     }
+    for (size_t g = 0; g < groups && all->lanes > 1; ++g) {
+        lag_motions_count(all->motions + g, all->attempts[g].step.accepted);
+    }
     if (count > 1 && take(all) == LAG_OK) {
-        lag_attempts_make(all->attempts, all->lanes / all->each, all->stepper);
+        lag_attempts_make(all->attempts, groups);
         return 1;
     }
     for (size_t k = 0; k < all->lanes; ++k) {
         if (all->stepper[k] != NULL) {
-            all->stepper[k] = NULL;
-            step(all, k);
+            step_alone(all, k);
         }
     }
     return count > 0;
@@ -355,6 +466,7 @@ static crowd *place(const lag_ensemble *ensemble, void *block)
         own->run = NULL;
     }
     all->each = lanes > 1 ? ensemble->states->lanes : 1;
+    all->opens = model->nc == 0 && lag_guard_count(model) == 0 && model->ncorner == 0 && model->nturn == 0;
     if (lanes > 1) {
         place_groups(all, (double *)(void *)(bytes + (ALIGNED - (uintptr_t)bytes % ALIGNED) % ALIGNED));
     }
