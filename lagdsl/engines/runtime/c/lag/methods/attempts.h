@@ -54,6 +54,7 @@ typedef struct lag_attempts {
     lag_lane_steps step;
     lag_lane_accuracy accuracy;
     lag_of_lanes error, urge;
+    lag_of_lanes behind, again;     /* lengths that follow an attempt that is accepted, or is not */
     lag_of_lanes t_new;             /* ends of those that can be steps */
     lag_of_lanes step_fault, fault; /* no number: the step failed; it or what followed did */
     lag_of_lanes broken;            /* as told of the ends */

@@ -44,28 +44,51 @@ LAG_ATTEMPT_INLINED void make_stages(lag_attempts *groups, size_t count, size_t 
     }
 }
 
+/* Lengths of what follows the attempts, as who is alone finds them (lag_attempt_shorten()): nothing waits for them yet. */
+LAG_ATTEMPT_INLINED void plan(lag_attempts *attempts)
+{
+    const lag_lane_steps *step = &attempts->step;
+    const lag_wide none = {0.0};
+    for (size_t k = 0; k < attempts->at.lanes; k += LAG_WIDTH) {
+        const lag_wide h = lag_wide_at(attempts->at.h + k);
+        const lag_wide error = lag_wide_at(attempts->error + k);
+        const lag_wide proposed = lag_wide_lower(lag_wide_at(step->next + k), lag_wide_at(step->h_most + k));
+        const lag_wide part = lag_wide_higher(none + LAG_DOP853_SHRINK, lag_wide_part(error));
+        lag_wide_to(attempts->behind + k, lag_wide_next(h, proposed, error, lag_wide_at(step->before + k), lag_wide_at(step->rejections + k)));
+        lag_wide_to(attempts->again + k, lag_wide_higher(h * part, lag_wide_at(step->h_least + k)));
+    }
+}
+
 /* Errors of the attempts; with those that are accepted the rates at their ends, and what else is found there. */
 LAG_ATTEMPT_INLINED void judge(lag_attempts *attempts)
 {
     const lag_attempt_arrays *at = &attempts->at;
     const lag_lane_steps *step = &attempts->step;
     const size_t count = at->size * at->lanes;
-    int accepted = 0;
+    const lag_wide none = {0.0};
+    double found[LAG_ATTEMPT_LANES];
+    double accepted = 0.0;
+    double dense = 0.0;
     lag_combine(count, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
     look(at, 1, LAG_DOP853_STAGES, attempts->fault);
     lag_attempt_errors(at, attempts->error);
-    for (size_t k = 0; k < at->lanes; ++k) {
-        const int can = step->used[k] != 0.0 && attempts->error[k] <= 1.0;
-        attempts->t_new[k] = can ? step->t_new[k] : at->t[k];
-        accepted = accepted || can;
-        attempts->dense = attempts->dense || (can && step->dense[k] != 0.0);
+    plan(attempts);
+    for (size_t k = 0; k < at->lanes; k += LAG_WIDTH) {
+        const lag_wide_truth can = (lag_wide_at(step->used + k) != none) & (lag_wide_at(attempts->error + k) <= none + 1.0);
+        lag_wide_to(attempts->t_new + k, lag_wide_chosen(can, lag_wide_at(step->t_new + k), lag_wide_at(at->t + k)));
+        lag_wide_to(found + k, lag_wide_chosen(can, none + 1.0, none));
     }
-    if (accepted) {
+    for (size_t k = 0; k < at->lanes; ++k) {
+        accepted += found[k];
+        dense += found[k] * step->dense[k];
+    }
+    attempts->dense = dense > 0.0;
+    if (accepted > 0.0) {
         (void)rates_of_stage(attempts, LAG_DOP853_END, attempts->t_new, at->x_new, at->slope + LAG_DOP853_END * count);
         look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->fault);
         lag_attempt_urges(at, attempts->urge);
     }
-    if (accepted && attempts->ends != NULL) {
+    if (accepted > 0.0 && attempts->ends != NULL) {
         attempts->ends(attempts->context, attempts->t_new, at->x_new, attempts->broken);
     }
     memcpy(attempts->step_fault, attempts->fault, sizeof attempts->fault);
@@ -129,7 +152,7 @@ LAG_ATTEMPT_INLINED void accept(lag_attempts *attempts, size_t k, lag_wide_truth
     follow(attempts, k, accepted);
 }
 
-/* Lengths of the next attempts in lanes that go on, as who is alone finds them (lag_attempt_begin(), lag_attempt_shorten()). */
+/* The next attempts in lanes that go on, as who is alone begins them (lag_attempt_begin()). */
 LAG_ATTEMPT_INLINED void go_on(lag_attempts *attempts, size_t k)
 {
     lag_lane_steps *step = &attempts->step;
@@ -141,14 +164,11 @@ LAG_ATTEMPT_INLINED void go_on(lag_attempts *attempts, size_t k)
     const lag_wide rejections = lag_wide_at(step->rejections + k);
     const lag_wide most = lag_wide_at(step->h_most + k);
     const lag_wide limit = lag_wide_at(step->limit + k);
-    const lag_wide h = lag_wide_at(at->h + k);
-    const lag_wide behind = lag_wide_next(h, lag_wide_lower(lag_wide_at(step->next + k), most), error, lag_wide_at(step->before + k), rejections);
-    const lag_wide again = lag_wide_higher(h * lag_wide_higher(none + LAG_DOP853_SHRINK, lag_wide_part(error)), lag_wide_at(step->h_least + k));
-    const lag_wide next = lag_wide_chosen(accepted, behind, again);
+    const lag_wide next = lag_wide_chosen(accepted, lag_wide_at(attempts->behind + k), lag_wide_at(attempts->again + k));
     const lag_wide t = lag_wide_chosen(accepted, lag_wide_at(step->t_new + k), lag_wide_at(at->t + k));
     const lag_wide length = lag_wide_length(lag_wide_lower(next, most), limit - t);
     const lag_wide t_new = lag_wide_end(t, length, limit);
-    put_chosen(accepted, behind, step->first + k);
+    put_chosen(accepted, next, step->first + k);
     put_chosen(accepted, lag_wide_higher(error, none + LAG_CONTROL_BEFORE), step->before + k);
     put_chosen(accepted, lag_wide_at(step->left + k) - 1.0, step->left + k);
     put_chosen(accepted, lag_wide_at(step->steps + k) + 1.0, step->steps + k);
@@ -168,14 +188,20 @@ LAG_ATTEMPT_INLINED void prepare(lag_attempts *attempts)
 {
     lag_lane_steps *step = &attempts->step;
     lag_attempt_arrays *at = &attempts->at;
-    attempts->used = attempts->dense = 0;
+    double used = 0.0;
+    double moved = 0.0;
     memset(attempts->fault, 0, sizeof attempts->fault);
     memset(attempts->broken, 0, sizeof attempts->broken);
-    for (size_t k = 0; k < at->lanes; k += LAG_WIDTH) {
+    for (size_t k = 0; k < at->lanes; ++k) {
+        used += step->used[k];
+        moved += step->accepted[k] + step->refused[k];
+    }
+    attempts->used = used > 0.0;
+    attempts->dense = 0;
+    for (size_t k = 0; k < at->lanes && moved > 0.0; k += LAG_WIDTH) {
         go_on(attempts, k);
     }
-    for (size_t k = 0; k < LAG_ATTEMPT_LANES; ++k) {
-        attempts->used = attempts->used || (k < at->lanes && step->used[k] != 0.0);
+    for (size_t k = at->lanes; k < LAG_ATTEMPT_LANES; ++k) {
         at->h[k] = at->h[k & (at->lanes - 1)];
     }
 }

@@ -61,7 +61,13 @@ typedef int lag_attempt_rates(void *context, size_t i, const double *t, const do
 #endif
 
 #if defined(__GNUC__)
+#if !LAG_ATTEMPTS_WIDE || !defined(LAG_ATTEMPT_WIDTH)
 #define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline))
+#elif LAG_ATTEMPT_WIDTH == 8
+#define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline, target("avx512f")))
+#else
+#define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline, target("avx")))
+#endif
 /* So many numbers are side by side as a register holds: compilers keep longer vectors in memory. */
 #if !defined(LAG_ATTEMPT_WIDTH) && defined(__AVX__)
 #define LAG_ATTEMPT_WIDTH 4
@@ -96,6 +102,23 @@ LAG_ATTEMPT_INLINED lag_wide lag_wide_size(lag_wide x)
 {
     const lag_wide none = {0.0};
     return (lag_wide)((lag_wide_bits)x & ~(lag_wide_bits)-none);
+}
+
+/* The root of each number: compilers have a word for that of each kind of register, if any. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_sqrt(lag_wide x)
+{
+#if defined(__clang__) || !defined(__x86_64__)
+    for (size_t k = 0; k < LAG_WIDTH; ++k) {
+        x[k] = sqrt(x[k]);
+    }
+    return x;
+#elif LAG_ATTEMPT_WIDTH == 8
+    return (lag_wide)__builtin_ia32_sqrtpd512_mask(x, x, (char)-1, 4);
+#elif LAG_ATTEMPT_WIDTH == 4
+    return (lag_wide)__builtin_ia32_sqrtpd256(x);
+#else
+    return (lag_wide)__builtin_ia32_sqrtpd(x);
+#endif
 }
 
 /* Several entries at i of the weighted slopes, added to `sum`. */
@@ -348,7 +371,17 @@ LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double
         fifth[i & last] += e5 * e5;
         third[i & last] += e3 * e3;
     }
-    for (size_t k = 0; k < at->lanes; ++k) {
+    size_t k = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; k + LAG_WIDTH <= at->lanes; k += LAG_WIDTH) {
+        const lag_wide part = lag_wide_at(fifth + k);
+        const lag_wide both = part + 0.01 * lag_wide_at(third + k);
+        const lag_wide of_both = lag_wide_chosen(both > none, lag_wide_at(at->h + k) * part / lag_wide_sqrt(both * (double)at->size), none);
+        lag_wide_to(error + k, lag_wide_chosen(0.0 * both == none, of_both, none + (double)INFINITY));
+    }
+#endif
+    for (; k < at->lanes; ++k) {
         const double both = fifth[k] + 0.01 * third[k];
         const double of_both = both > 0.0 ? at->h[k] * fifth[k] / sqrt(both * (double)at->size) : 0.0;
         error[k] = isfinite(both) ? of_both : (double)INFINITY;
@@ -382,7 +415,16 @@ LAG_ATTEMPT_INLINED void lag_attempt_urges(const lag_attempt_arrays *at, double 
         change[i & last] += by * by;
         distance[i & last] += of * of;
     }
-    for (size_t k = 0; k < at->lanes; ++k) {
+    size_t k = 0;
+#if defined(__GNUC__)
+    const lag_wide none = {0.0};
+    for (; k + LAG_WIDTH <= at->lanes; k += LAG_WIDTH) {
+        const lag_wide by = lag_wide_at(change + k);
+        const lag_wide of = lag_wide_at(distance + k);
+        lag_wide_to(urge + k, lag_wide_chosen(of > none, lag_wide_at(at->h + k) * lag_wide_sqrt(by / of), none));
+    }
+#endif
+    for (; k < at->lanes; ++k) {
         urge[k] = distance[k] > 0.0 ? at->h[k] * sqrt(change[k] / distance[k]) : 0.0;
     }
 }
