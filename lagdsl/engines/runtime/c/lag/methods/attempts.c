@@ -136,7 +136,7 @@ size_t lag_attempts_close(lag_attempts *attempts, size_t k, lag_stepper *s, lag_
 void lag_attempts_inside(const lag_attempts *attempts, size_t k, double t, double *x)
 {
     const lag_attempt_arrays *at = &attempts->at;
-    lag_dop853_inside(at->size, at->lanes, attempts->terms + k, at->x + k, (t - at->t[k]) / (attempts->t_new[k] - at->t[k]), x);
+    lag_dop853_inside(at->size, at->lanes, attempts->terms + k, at->x + k, (t - at->t[k]) / (attempts->found.t_new[k] - at->t[k]), x);
 }
 
 /* Of lane k to s: the new state and the slope there, and the terms of the dense output. */
@@ -158,14 +158,14 @@ int lag_attempts_settle(lag_attempts *attempts, lag_stepper *s, size_t k)
 {
     lag_attempt *attempt = &s->attempt;
     attempts->step.used[k] = 0.0;
-    if (attempts->step_fault[k] != 0.0) {
+    if (attempts->found.step_fault[k] != 0.0) {
         return 1;
     }
     attempt->made = attempt->bare = 1;
-    attempt->error = attempts->error[k];
-    attempt->urge = attempts->urge[k];
+    attempt->error = attempts->found.error[k];
+    attempt->urge = attempts->found.urge[k];
     attempt->evaluations += attempt->error > 1.0 ? LAG_DOP853_STAGES - 1 : LAG_DOP853_STAGES;
-    attempt->dense = attempt->dense && attempts->fault[k] == 0.0;
+    attempt->dense = attempt->dense && attempts->found.fault[k] == 0.0;
     if (attempt->error <= 1.0) {
         leave(attempts, s, k);
     }

@@ -42,6 +42,15 @@ typedef struct lag_lane_accuracy {
     double relative;
 } lag_lane_accuracy;
 
+/* What attempts have led to. */
+typedef struct lag_lane_outcomes {
+    lag_of_lanes error, urge;
+    lag_of_lanes behind, again;     /* lengths that follow an attempt that is accepted, or is not */
+    lag_of_lanes t_new;             /* ends of those that can be steps */
+    lag_of_lanes step_fault, fault; /* no number: the step failed; it or what followed did */
+    lag_of_lanes broken;            /* as told of the ends */
+} lag_lane_outcomes;
+
 typedef struct lag_attempts {
     lag_attempt_arrays at, further; /* of the step, and of what its dense output needs beside */
     int used, dense;                /* there are attempts; and some that dense output is wanted of */
@@ -53,11 +62,7 @@ typedef struct lag_attempts {
     void *context;
     lag_lane_steps step;
     lag_lane_accuracy accuracy;
-    lag_of_lanes error, urge;
-    lag_of_lanes behind, again;     /* lengths that follow an attempt that is accepted, or is not */
-    lag_of_lanes t_new;             /* ends of those that can be steps */
-    lag_of_lanes step_fault, fault; /* no number: the step failed; it or what followed did */
-    lag_of_lanes broken;            /* as told of the ends */
+    lag_lane_outcomes found;
 } lag_attempts;
 
 /* Doubles for `attempts`, and its layout; the caller sets rates, ends and context. */

@@ -20,7 +20,7 @@ static int rates_of_stage(void *context, size_t i, const double *t, const double
 {
     lag_attempts *attempts = context;
     (void)i;
-    attempts->rates(attempts->context, t, x, xd, attempts->fault);
+    attempts->rates(attempts->context, t, x, xd, attempts->found.fault);
     return 1;
 }
 
@@ -51,11 +51,11 @@ LAG_ATTEMPT_INLINED void plan(lag_attempts *attempts)
     const lag_wide none = {0.0};
     for (size_t k = 0; k < attempts->at.lanes; k += LAG_WIDTH) {
         const lag_wide h = lag_wide_at(attempts->at.h + k);
-        const lag_wide error = lag_wide_at(attempts->error + k);
+        const lag_wide error = lag_wide_at(attempts->found.error + k);
         const lag_wide proposed = lag_wide_lower(lag_wide_at(step->next + k), lag_wide_at(step->h_most + k));
         const lag_wide part = lag_wide_higher(none + LAG_DOP853_SHRINK, lag_wide_part(error));
-        lag_wide_to(attempts->behind + k, lag_wide_next(h, proposed, error, lag_wide_at(step->before + k), lag_wide_at(step->rejections + k)));
-        lag_wide_to(attempts->again + k, lag_wide_higher(h * part, lag_wide_at(step->h_least + k)));
+        lag_wide_to(attempts->found.behind + k, lag_wide_next(h, proposed, error, lag_wide_at(step->before + k), lag_wide_at(step->rejections + k)));
+        lag_wide_to(attempts->found.again + k, lag_wide_higher(h * part, lag_wide_at(step->h_least + k)));
     }
 }
 
@@ -70,12 +70,12 @@ LAG_ATTEMPT_INLINED void judge(lag_attempts *attempts)
     double accepted = 0.0;
     double dense = 0.0;
     lag_combine(count, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
-    look(at, 1, LAG_DOP853_STAGES, attempts->fault);
-    lag_attempt_errors(at, attempts->error);
+    look(at, 1, LAG_DOP853_STAGES, attempts->found.fault);
+    lag_attempt_errors(at, attempts->found.error);
     plan(attempts);
     for (size_t k = 0; k < at->lanes; k += LAG_WIDTH) {
-        const lag_wide_truth can = (lag_wide_at(step->used + k) != none) & (lag_wide_at(attempts->error + k) <= none + 1.0);
-        lag_wide_to(attempts->t_new + k, lag_wide_chosen(can, lag_wide_at(step->t_new + k), lag_wide_at(at->t + k)));
+        const lag_wide_truth can = (lag_wide_at(step->used + k) != none) & (lag_wide_at(attempts->found.error + k) <= none + 1.0);
+        lag_wide_to(attempts->found.t_new + k, lag_wide_chosen(can, lag_wide_at(step->t_new + k), lag_wide_at(at->t + k)));
         lag_wide_to(found + k, lag_wide_chosen(can, none + 1.0, none));
     }
     for (size_t k = 0; k < at->lanes; ++k) {
@@ -84,14 +84,14 @@ LAG_ATTEMPT_INLINED void judge(lag_attempts *attempts)
     }
     attempts->dense = dense > 0.0;
     if (accepted > 0.0) {
-        (void)rates_of_stage(attempts, LAG_DOP853_END, attempts->t_new, at->x_new, at->slope + LAG_DOP853_END * count);
-        look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->fault);
-        lag_attempt_urges(at, attempts->urge);
+        (void)rates_of_stage(attempts, LAG_DOP853_END, attempts->found.t_new, at->x_new, at->slope + LAG_DOP853_END * count);
+        look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->found.fault);
+        lag_attempt_urges(at, attempts->found.urge);
     }
     if (accepted > 0.0 && attempts->ends != NULL) {
-        attempts->ends(attempts->context, attempts->t_new, at->x_new, attempts->broken);
+        attempts->ends(attempts->context, attempts->found.t_new, at->x_new, attempts->found.broken);
     }
-    memcpy(attempts->step_fault, attempts->fault, sizeof attempts->fault);
+    memcpy(attempts->found.step_fault, attempts->found.fault, sizeof attempts->found.fault);
 }
 
 /* Open lanes whose attempts are steps with which nothing else happens, and those that go on with a shorter one. */
@@ -101,14 +101,14 @@ LAG_ATTEMPT_INLINED void decide(lag_attempts *attempts)
     const lag_wide none = {0.0};
     const lag_wide one = none + 1.0;
     for (size_t k = 0; k < attempts->at.lanes; k += LAG_WIDTH) {
-        const lag_wide error = lag_wide_at(attempts->error + k);
+        const lag_wide error = lag_wide_at(attempts->found.error + k);
         const lag_wide t_new = lag_wide_at(step->t_new + k);
         const lag_wide row = lag_wide_at(step->row + k);
-        const lag_wide fault = lag_wide_at(attempts->fault + k) + 0.0 * error; /* infinite errors, too */
+        const lag_wide fault = lag_wide_at(attempts->found.fault + k) + 0.0 * error; /* infinite errors, too */
         const lag_wide open = lag_wide_at(step->open + k) * lag_wide_at(step->used + k);
         const lag_wide_truth goes_on = (open != none) & (fault == none);
         const lag_wide_truth is_inside = (t_new < lag_wide_at(step->limit + k)) & (t_new != row) & (lag_wide_at(step->left + k) > one);
-        const lag_wide_truth is_calm = (lag_wide_at(attempts->urge + k) <= lag_wide_at(step->border + k)) & (lag_wide_at(attempts->broken + k) == none);
+        const lag_wide_truth is_calm = (lag_wide_at(attempts->found.urge + k) <= lag_wide_at(step->border + k)) & (lag_wide_at(attempts->found.broken + k) == none);
         const lag_wide_truth longer = lag_wide_at(attempts->at.h + k) > lag_wide_at(step->h_least + k);
         lag_wide_to(step->accepted + k, lag_wide_chosen(goes_on & is_inside & is_calm & (error <= one), one, none));
         lag_wide_to(step->refused + k, lag_wide_chosen(goes_on & longer & (error > one), one, none));
@@ -160,11 +160,11 @@ LAG_ATTEMPT_INLINED void go_on(lag_attempts *attempts, size_t k)
     const lag_wide none = {0.0};
     const lag_wide_truth accepted = lag_wide_at(step->accepted + k) != none;
     const lag_wide_truth refused = lag_wide_at(step->refused + k) != none;
-    const lag_wide error = lag_wide_at(attempts->error + k);
+    const lag_wide error = lag_wide_at(attempts->found.error + k);
     const lag_wide rejections = lag_wide_at(step->rejections + k);
     const lag_wide most = lag_wide_at(step->h_most + k);
     const lag_wide limit = lag_wide_at(step->limit + k);
-    const lag_wide next = lag_wide_chosen(accepted, lag_wide_at(attempts->behind + k), lag_wide_at(attempts->again + k));
+    const lag_wide next = lag_wide_chosen(accepted, lag_wide_at(attempts->found.behind + k), lag_wide_at(attempts->found.again + k));
     const lag_wide t = lag_wide_chosen(accepted, lag_wide_at(step->t_new + k), lag_wide_at(at->t + k));
     const lag_wide length = lag_wide_length(lag_wide_lower(next, most), limit - t);
     const lag_wide t_new = lag_wide_end(t, length, limit);
@@ -190,8 +190,8 @@ LAG_ATTEMPT_INLINED void prepare(lag_attempts *attempts)
     lag_attempt_arrays *at = &attempts->at;
     double used = 0.0;
     double moved = 0.0;
-    memset(attempts->fault, 0, sizeof attempts->fault);
-    memset(attempts->broken, 0, sizeof attempts->broken);
+    memset(attempts->found.fault, 0, sizeof attempts->found.fault);
+    memset(attempts->found.broken, 0, sizeof attempts->found.broken);
     for (size_t k = 0; k < at->lanes; ++k) {
         used += step->used[k];
         moved += step->accepted[k] + step->refused[k];
@@ -214,7 +214,7 @@ LAG_ATTEMPT_INLINED void go_further(lag_attempts *attempts)
     at->stage = attempts->inside;
     for (size_t i = 0; i < LAG_ATTEMPT_LANES; ++i) {
         const size_t k = i & (at->lanes - 1);
-        at->h[i] = attempts->t_new[k] - at->t[k]; /* as who comes afterwards sees it, rounded */
+        at->h[i] = attempts->found.t_new[k] - at->t[k]; /* as who comes afterwards sees it, rounded */
     }
 }
 
@@ -233,7 +233,7 @@ LAG_ATTEMPT_INLINED void lag_attempts_make_inlined(lag_attempts *groups, size_t 
     make_stages(groups, count, LAG_DOP853_END + 1, LAG_DOP853_SLOPES);
     for (size_t g = 0; g < count; ++g) {
         if (groups[g].dense) {
-            look(&groups[g].further, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, groups[g].fault);
+            look(&groups[g].further, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, groups[g].found.fault);
             lag_attempt_dense(&groups[g].further, groups[g].terms);
         }
         if (groups[g].used) {
