@@ -72,7 +72,7 @@ void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
     step->limit[k] = s->attempt.limit;
     step->h_least[k] = s->h_least;
     step->h_most[k] = s->h_most;
-    step->before[k] = s->last.error > 0.0 ? s->last.error : LAG_CONTROL_BEFORE;
+    step->before[k] = lag_control_before(s->last.error);
     step->rejections[k] = (double)s->attempt.rejections;
     put(attempts, s->x, k, attempts->x);
     put(attempts, s->f, k, attempts->at.slope);

@@ -169,7 +169,7 @@ LAG_ATTEMPT_INLINED void go_on(lag_attempts *attempts, size_t k)
     const lag_wide length = lag_wide_length(lag_wide_lower(next, most), limit - t);
     const lag_wide t_new = lag_wide_end(t, length, limit);
     put_chosen(accepted, next, step->first + k);
-    put_chosen(accepted, lag_wide_higher(error, none + LAG_CONTROL_BEFORE), step->before + k);
+    put_chosen(accepted, lag_wide_before(error), step->before + k);
     put_chosen(accepted, lag_wide_at(step->left + k) - 1.0, step->left + k);
     put_chosen(accepted, lag_wide_at(step->steps + k) + 1.0, step->steps + k);
     put_chosen(accepted, lag_wide_at(step->rejected + k) + rejections, step->rejected + k);

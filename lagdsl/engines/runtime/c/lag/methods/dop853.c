@@ -121,10 +121,10 @@ static void accept(lag_stepper *s, const lag_attempt_arrays *at)
     const lag_attempt *attempt = &s->attempt;
     double *end_slope = at->slope + LAG_DOP853_END * at->size;
     const double h = attempt->h;
-    const double before = s->last.error > 0.0 ? s->last.error : LAG_CONTROL_BEFORE;
+    const double before = lag_control_before(s->last.error);
     s->last.urge = attempt->urge;
     s->h = lag_control_next(h, lag_lower(attempt->next, s->h_most), attempt->error, before, (double)attempt->rejections);
-    s->last.error = lag_higher(attempt->error, LAG_CONTROL_BEFORE);
+    s->last.error = lag_control_before(attempt->error);
     s->last.h = h;
     lag_stepper_pass(s, LAG_PASSED_END, attempt->t_new);
     lag_stepper_accept(s, attempt->t_new, at->x_new, end_slope);

@@ -8,6 +8,7 @@
 #ifndef LAG_STEP_CONTROL_H
 #define LAG_STEP_CONTROL_H
 
+#include <float.h>
 #include <math.h>
 
 #include "lag/methods/dop853.h"
@@ -18,10 +19,6 @@
 static const double LAG_CONTROL_BETA = 0.04;
 /* A step is no longer than so many times the last: more would harm the dense output of the step that follows a transient. */
 static const double LAG_CONTROL_GROW = 3.0;
-/* The least error that counts: what is smaller lets the step grow as far as it may, */
-static const double LAG_CONTROL_NONE = 1e-16;
-/* and the least one that the next step knows of. */
-static const double LAG_CONTROL_BEFORE = 1e-4;
 
 static inline double lag_of_bits(unsigned long long bits)
 {
@@ -81,18 +78,25 @@ static inline double lag_chosen(int truth, double x, double y)
         return chosen(a > b, a, b);                                                                                        \
     }                                                                                                                      \
                                                                                                                            \
-    /* What an error lets steps grow by, up to some power. */                                                              \
+    /* What the next step knows of an error. */                                                                           \
+    qualifiers real name##_before(real error)                                                                              \
+    {                                                                                                                      \
+        const real none = error * 0.0;                                                                                     \
+        return name##_higher(error, none + 1e-4);                                                                          \
+    }                                                                                                                      \
+                                                                                                                           \
+    /* What an error alone lets the next step grow by: one that is lost in rounding counts as much as that. */              \
     qualifiers real name##_part(real error)                                                                                \
     {                                                                                                                      \
         const real none = error * 0.0;                                                                                     \
-        return LAG_DOP853_SAFETY * name##_exp2(-1.0 / 8.0 * name##_log2(name##_higher(error, none + LAG_CONTROL_NONE)));    \
+        return LAG_DOP853_SAFETY * name##_exp2(-1.0 / 8.0 * name##_log2(name##_higher(error, none + DBL_EPSILON)));    \
     }                                                                                                                      \
                                                                                                                            \
     /* Length of the step behind one of length h and this error, for which `proposed` was proposed, after so many rejections. */ \
     qualifiers real name##_next(real h, real proposed, real error, real before, real rejections)                           \
     {                                                                                                                      \
         const real none = error * 0.0;                                                                                     \
-        const real own = (0.2 * LAG_CONTROL_BETA - 1.0 / 8.0) * name##_log2(name##_higher(error, none + LAG_CONTROL_NONE)); \
+        const real own = (0.2 * LAG_CONTROL_BETA - 1.0 / 8.0) * name##_log2(name##_higher(error, none + DBL_EPSILON)); \
         const real factor = LAG_DOP853_SAFETY * name##_exp2(own + LAG_CONTROL_BETA * name##_log2(before));                  \
         const real bound = name##_lower(none + LAG_CONTROL_GROW, name##_higher(none + LAG_DOP853_SHRINK, factor));          \
         const truth fresh = rejections == none;                                                                            \
