@@ -81,7 +81,7 @@ static void steps_are_those_alone(size_t width, int announced, double wall)
                 lag_attempts_enter(groups + k / LANES, given[k], k % LANES);
             }
         }
-        lag_attempts_make(groups, GROUPS, given);
+        lag_attempts_make(groups, GROUPS);
         for (size_t k = 0; k < ALL; ++k) {
             if (given[k] != NULL && lag_attempts_settle(groups + k / LANES, given[k], k % LANES)) {
                 CHECK(lag_stepper_step(together + k, 4.0) == LAG_OK && lag_stepper_step(alone + k, 4.0) == LAG_OK);
@@ -92,6 +92,91 @@ static void steps_are_those_alone(size_t width, int announced, double wall)
         }
     }
     CHECK(together[3].counts.rejections > 0);
+}
+
+/* Tolerances that follow the state, of two groups of numbers. */
+typedef struct scales {
+    double group[SIZE], natural[SIZE], cap[SIZE], largest[SIZE];
+    lag_accuracy accuracy;
+} scales;
+
+static void follow(scales *own, lag_stepper *s, size_t k)
+{
+    const double part = k == 3 ? 1e-7 : 1.0; /* attempts of this one are rejected at first */
+    *own = (scales){.group = {0.0, 0.0, 2.0}, .natural = {part, part, 2.0 * part}, .cap = {0.5 * part, 0.5 * part, 3.0 * part}};
+    own->accuracy = (lag_accuracy){
+        .size = SIZE, .group = own->group, .natural = own->natural, .cap = own->cap, .largest = own->largest, .relative = 1e-7
+    };
+    lag_accuracy_after(&own->accuracy, s->x, s->tolerance);
+}
+
+/* One attempt of all lanes; those that do not go on are closed, settled and opened again. The number of steps that were made without their steppers. */
+static size_t go_on(lag_attempts *groups, lag_stepper *s, scales *own, int first)
+{
+    size_t without = 0;
+    for (size_t k = 0; k < ALL; ++k) {
+        lag_attempts *group = groups + k / LANES;
+        const size_t place = k % LANES;
+        if (!first && (group->step.accepted[place] != 0.0 || group->step.refused[place] != 0.0)) {
+            continue;
+        }
+        if (!first) {
+            without += lag_attempts_close(group, place, s + k, &own[k].accuracy);
+            if (lag_attempts_settle(group, s + k, place)) {
+                CHECK(lag_stepper_step(s + k, 4.0) == LAG_OK);
+                lag_accuracy_after(&own[k].accuracy, s[k].x, s[k].tolerance);
+            }
+        }
+        lag_attempt_begin(s + k, 4.0);
+        s[k].attempt.dense = 0;
+        lag_attempts_enter(group, s + k, place);
+        lag_attempts_open(group, place, &own[k].accuracy);
+        group->step.row[place] = (double)INFINITY;
+        group->step.border[place] = (double)INFINITY;
+        group->step.left[place] = 1.0 + (double)(k % 3); /* some come back after a step or two */
+    }
+    lag_attempts_make(groups, GROUPS);
+    return without;
+}
+
+/* Lanes that go on without their steppers are where these are alone, with their tolerances and counts. */
+static void open_lanes_are_those_alone(size_t width)
+{
+    static double memory[ALL][MOST], memory_alone[ALL][MOST], lanes[GROUPS][MOST];
+    static const double never = (double)INFINITY;
+    lag_stepper together[ALL];
+    lag_stepper alone[ALL];
+    scales of_together[ALL];
+    scales of_alone[ALL];
+    lag_attempts groups[GROUPS];
+    size_t without = 0;
+    for (size_t g = 0; g < GROUPS; ++g) {
+        lag_attempts_place(groups + g, SIZE, LANES, width, lanes[g]);
+        groups[g].rates = rates;
+        groups[g].context = (void *)(size_t)&never;
+    }
+    for (size_t k = 0; k < ALL; ++k) {
+        begin(together + k, memory[k], k);
+        begin(alone + k, memory_alone[k], k);
+        follow(of_together + k, together + k, k);
+        follow(of_alone + k, alone + k, k);
+    }
+    for (int round = 0; round < 7; ++round) {
+        without += go_on(groups, together, of_together, round == 0);
+    }
+    for (size_t k = 0; k < ALL; ++k) {
+        without += lag_attempts_close(groups + k / LANES, k % LANES, together + k, &of_together[k].accuracy);
+        while (alone[k].counts.steps < together[k].counts.steps) {
+            CHECK(lag_stepper_step(alone + k, 4.0) == LAG_OK);
+            lag_accuracy_after(&of_alone[k].accuracy, alone[k].x, alone[k].tolerance);
+        }
+        CHECK(together[k].t == alone[k].t && together[k].h == alone[k].h && together[k].last.error == alone[k].last.error);
+        CHECK(memcmp(together[k].x, alone[k].x, SIZE * sizeof(double)) == 0 && memcmp(together[k].f, alone[k].f, SIZE * sizeof(double)) == 0);
+        CHECK(memcmp(together[k].tolerance, alone[k].tolerance, SIZE * sizeof(double)) == 0);
+        CHECK(memcmp(of_together[k].largest, of_alone[k].largest, SIZE * sizeof(double)) == 0);
+        CHECK(together[k].counts.evaluations == alone[k].counts.evaluations && together[k].counts.rejections == alone[k].counts.rejections);
+    }
+    CHECK(without > 0 && together[3].counts.rejections > 0);
 }
 
 int main(void)
@@ -107,6 +192,7 @@ int main(void)
             steps_are_those_alone(widths[i], 1, (double)INFINITY);
             steps_are_those_alone(widths[i], 0, (double)INFINITY);
             steps_are_those_alone(widths[i], 1, 0.9); /* lanes that fail are left to attempts alone */
+            open_lanes_are_those_alone(widths[i]);
         }
     }
     (void)printf("attempts: ok\n");

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "lag/methods/step_control.h"
 #include "lag/sensitivities/column_sums.h"
 
 enum { HEIGHT = 7, WIDTH = 5, APART = 6, MOST = 8, BLOCKS = 2, NQ = 2, SIZE = 5, EQUATIONS = 4, NP = 3 };

@@ -71,7 +71,7 @@ static void the_first_of_several_is_found_first(void)
         CHECK(law_told.count == sizeof kinds / sizeof kinds[0]);
         for (size_t k = 0; k < law_told.count; ++k) {
             CHECK(law_told.what[k].what == kinds[k]);
-            CHECK_NEAR(law_told.what[k].t, k < 4 ? 1.0 : times[i], 1e-14);
+            CHECK_NEAR(law_told.what[k].t, k < 4 ? 1.0 : times[i], 3e-14); /* the sum of the lengths of a few steps is rounded */
         }
         CHECK(law_told.what[1].which == 1 && law_told.what[2].which == 2 && law_told.what[5].which == 0);
         free(run);

@@ -353,8 +353,9 @@ lag_status lag_run_carry(lag_run *run, const lag_cause *cause);
 
 /* Keeps the past of delayed expressions up to time t in the last step. */
 lag_status lag_run_keep_past(lag_run *run, double t);
-/* Records the rows before time t, or up to it, from the last step. */
+/* Records the rows before time t, or up to it, from the last step; the next row, at its time t and state x. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
+lag_status lag_run_row(lag_run *run, double t, const double *x);
 /*
  * LAG_EVENT_PENDING: something happens within the last step, first at *t; run->guards.changed marks it
  * (see lag/run/scan.h).

@@ -33,6 +33,7 @@
 #include "lag/methods/attempts.h"
 #include "lag/methods/dop853.h"
 #include "lag/methods/radau.h"
+#include "lag/methods/step_control.h"
 #include "lag/methods/stiffness.h"
 #include "lag/stepper.h"
 #include <float.h>
@@ -218,34 +219,26 @@
 #include "lag/methods/accuracy.c"
 #undef place_of
 
-#define GROW dop853_GROW
 #define accept dop853_accept
-#define factor_of dop853_factor_of
 #define place dop853_place
 #include "lag/methods/dop853.c"
-#undef GROW
 #undef accept
-#undef factor_of
 #undef place
 
 #include "lag/methods/dop853_tables.c"
 
 #include "lag/methods/leapfrog.c"
 
-#define GROW radau_GROW
 #define LOWER radau_LOWER
 #define SAFETY radau_SAFETY
 #define accept radau_accept
 #define error_of radau_error_of
-#define factor_of radau_factor_of
 #include "lag/methods/radau.c"
-#undef GROW
 #undef LOWER
 #undef RADAU
 #undef SAFETY
 #undef accept
 #undef error_of
-#undef factor_of
 
 #define ITERATIONS radau_effort_ITERATIONS
 #include "lag/methods/radau_effort.c"

@@ -12,14 +12,17 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/linalg.h"
+#include "lag/linalg/order.h"
 #include "lag/linalg/record.h"
 #include "lag/linalg/vector.h"
+#include "lag/methods/step_control.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
 #include "lag/sensitivities/differences.h"
 #include "lag/sensitivities/run_sensitivities.h"
 #include "lag/sensitivities/sensitivities.h"
 #include "lag/session.h"
+#include "lag/session/lane.h"
 #include "lag/session/motions.h"
 #include "lag/signals.h"
 #include <float.h>
@@ -34,16 +37,14 @@
 #undef solve
 
 #define crowd ensemble_crowd
-#define end ensemble_end
 #define place ensemble_place
 #include "lag/session/ensemble.c"
 #undef crowd
-#undef end
 #undef place
 
-#define end hold_end
 #include "lag/session/hold.c"
-#undef end
+
+#include "lag/session/lane.c"
 
 #include "lag/session/motions.c"
 

@@ -5,9 +5,6 @@
 
 #include "lag/linalg/order.h"
 
-static const double FLOOR = 1e-4;
-static const double ROUNDING = 1e-15;
-
 /* Numbers of groups are small: a signed conversion needs no jump. */
 static size_t place_of(double group)
 {
@@ -25,9 +22,9 @@ void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *toleran
         accuracy->largest[place_of(group)] = largest;
     }
     for (size_t i = 0; i < accuracy->size; ++i) {
-        const double floor = FLOOR * accuracy->natural[i];
-        const double scale = lag_lower(lag_higher(accuracy->largest[place_of(accuracy->group[i])], floor), lag_higher(accuracy->cap[i], floor));
-        tolerance[i] = lag_higher(accuracy->relative * scale, ROUNDING * lag_higher(accuracy->natural[i], fabs(x[i])));
+        const double largest = accuracy->largest[place_of(accuracy->group[i])];
+        tolerance[i] = LAG_ACCURACY_TOLERANCE(lag_lower, lag_higher, accuracy->relative, largest, lag_accuracy_floor(accuracy, i),
+            lag_accuracy_most(accuracy, i), lag_accuracy_least(accuracy, i), fabs(x[i]));
     }
 }
 

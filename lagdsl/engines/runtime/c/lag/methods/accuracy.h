@@ -9,6 +9,7 @@
 #ifndef LAG_ACCURACY_H
 #define LAG_ACCURACY_H
 
+#include "lag/linalg/order.h"
 #include "lag/model.h"
 
 typedef struct lag_accuracy {
@@ -19,6 +20,30 @@ typedef struct lag_accuracy {
     double *largest;       /* (size) magnitudes seen so far, by group */
     double relative;       /* tolerance of one step */
 } lag_accuracy;
+
+/* Scales are at least this part of the natural size, and tolerances this part of the number itself. */
+static const double LAG_ACCURACY_FLOOR = 1e-4;
+static const double LAG_ACCURACY_ROUNDING = 1e-15;
+
+/* What bounds the scale of number i, and the least tolerance of it where it is zero. */
+static inline double lag_accuracy_floor(const lag_accuracy *accuracy, size_t i)
+{
+    return LAG_ACCURACY_FLOOR * accuracy->natural[i];
+}
+
+static inline double lag_accuracy_most(const lag_accuracy *accuracy, size_t i)
+{
+    return lag_higher(accuracy->cap[i], lag_accuracy_floor(accuracy, i));
+}
+
+static inline double lag_accuracy_least(const lag_accuracy *accuracy, size_t i)
+{
+    return LAG_ACCURACY_ROUNDING * accuracy->natural[i];
+}
+
+/* Its tolerance; with functions for numbers, or for vectors of them. */
+#define LAG_ACCURACY_TOLERANCE(lower, higher, relative, largest, floor, most, least, size) \
+    higher((relative) * lower(higher(largest, floor), most), higher(least, LAG_ACCURACY_ROUNDING * (size)))
 
 /* Absolute tolerances (size), now that x was reached. */
 void lag_accuracy_after(lag_accuracy *accuracy, const double *x, double *tolerance);

@@ -5,9 +5,9 @@
 
 #if LAG_ATTEMPTS_WIDE
 
-__attribute__((target("avx512f"))) void lag_attempts_make_widest(lag_attempts *groups, size_t count, lag_stepper *const *s)
+__attribute__((target("avx512f"))) void lag_attempts_make_widest(lag_attempts *groups, size_t count)
 {
-    lag_attempts_make_inlined(groups, count, s);
+    lag_attempts_make_inlined(groups, count);
 }
 
 #endif

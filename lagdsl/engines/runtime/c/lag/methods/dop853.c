@@ -1,10 +1,9 @@
 /*
  * The explicit Runge-Kutta method of Dormand and Prince of order 8 with error estimates of orders 5 and 3 and dense output of
- * order 7, with PI step control.
+ * order 7, with PI step control (lag/methods/step_control.h).
  *
  * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., sections II.5 (method, page 181),
- * II.6 (dense output), II.10 (error estimate); coefficients as in the authors' program DOP853. Step control: Hairer and Wanner,
- * Solving Ordinary Differential Equations II, 2nd ed., section IV.2 (formula 2.43).
+ * II.6 (dense output), II.10 (error estimate); coefficients as in the authors' program DOP853.
  */
 #include "lag/methods/dop853.h"
 
@@ -13,12 +12,11 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/order.h"
 #include "lag/methods/attempts.h"
+#include "lag/methods/step_control.h"
 
 /* Stages whose states are of the fifth order, as places of the step. */
 static const unsigned char PASSES[LAG_DOP853_SLOPES] = {[6] = 1, [9] = 2, [10] = 3};
 
-static const double BETA = 0.04; /* weight of the error before, in the step control */
-static const double GROW = 3.0; /* more would harm the dense output of the step that follows a transient */
 static const double AFTER_TROUBLE = 0.25;
 
 static lag_attempt_arrays place(const lag_stepper *s)
@@ -77,12 +75,12 @@ void lag_attempt_begin(lag_stepper *s, double limit)
 int lag_attempt_shorten(lag_stepper *s)
 {
     lag_attempt *attempt = &s->attempt;
-    const double part = isfinite(attempt->error) ? fmax(LAG_DOP853_SHRINK, LAG_DOP853_SAFETY * pow(attempt->error, -1.0 / 8.0)) : AFTER_TROUBLE;
+    const double part = isfinite(attempt->error) ? lag_control_higher(LAG_DOP853_SHRINK, lag_control_part(attempt->error)) : AFTER_TROUBLE;
     ++attempt->rejections;
     if (attempt->h <= s->h_least) {
         return 0;
     }
-    attempt->next = fmax(attempt->h * part, s->h_least);
+    attempt->next = lag_control_higher(attempt->h * part, s->h_least);
     attempt->made = 0;
     return 1;
 }
@@ -117,26 +115,16 @@ static void try_alone(lag_stepper *s, lag_attempt_arrays *at)
     }
 }
 
-/* Factor for the next step after this error; `before`: the error of the last accepted step. */
-static double factor_of(double error, double before)
-{
-    const double integral = pow(error, 1.0 / 8.0 - 0.2 * BETA);
-    const double factor = LAG_DOP853_SAFETY / integral * pow(lag_higher(before, 1e-4), BETA);
-    return lag_lower(GROW, lag_higher(LAG_DOP853_SHRINK, error > 0.0 ? factor : GROW));
-}
-
 /* The attempt becomes the step. */
 static void accept(lag_stepper *s, const lag_attempt_arrays *at)
 {
     const lag_attempt *attempt = &s->attempt;
     double *end_slope = at->slope + LAG_DOP853_END * at->size;
     const double h = attempt->h;
-    const double proposed = lag_lower(attempt->next, s->h_most);
-    const double factor = factor_of(attempt->error, s->last.error > 0.0 ? s->last.error : 1e-4);
-    const double next = h * (attempt->rejections > 0 ? lag_lower(factor, 1.0) : factor);
+    const double before = lag_control_before(s->last.error);
     s->last.urge = attempt->urge;
-    s->h = h < proposed && attempt->rejections == 0 ? lag_higher(next, proposed) : next;
-    s->last.error = lag_higher(attempt->error, 1e-4);
+    s->h = lag_control_next(h, lag_lower(attempt->next, s->h_most), attempt->error, before, (double)attempt->rejections);
+    s->last.error = lag_control_before(attempt->error);
     s->last.h = h;
     lag_stepper_pass(s, LAG_PASSED_END, attempt->t_new);
     lag_stepper_accept(s, attempt->t_new, at->x_new, end_slope);
@@ -194,29 +182,31 @@ static lag_status prepare_dense_dop853(lag_stepper *s)
     return LAG_OK;
 }
 
-static void dense_dop853(const lag_stepper *s, double t, double *x)
+void lag_dop853_inside(size_t size, size_t lanes, const double *terms, const double *before, double part, double *x)
 {
-    const double *terms = place_dense(s);
-    const size_t size = s->ode->size;
-    const double h = s->t - s->t_before;
-    const double part = h > 0.0 ? (t - s->t_before) / h : 1.0;
     size_t i = 0;
 #if defined(__GNUC__)
-    for (; i + LAG_WIDTH <= size; i += LAG_WIDTH) {
+    for (; i + LAG_WIDTH <= size && lanes == 1; i += LAG_WIDTH) {
         lag_wide sum = {0.0};
         for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
             sum = (sum + lag_wide_at(terms + k * size + i)) * (k % 2 == 0 ? part : 1.0 - part);
         }
-        lag_wide_to(x + i, lag_wide_at(s->x_before + i) + sum);
+        lag_wide_to(x + i, lag_wide_at(before + i) + sum);
     }
 #endif
     for (; i < size; ++i) {
         double sum = 0.0;
         for (size_t k = LAG_DOP853_TERMS; k-- > 0;) {
-            sum = (sum + terms[k * size + i]) * (k % 2 == 0 ? part : 1.0 - part);
+            sum = (sum + terms[(k * size + i) * lanes]) * (k % 2 == 0 ? part : 1.0 - part);
         }
-        x[i] = s->x_before[i] + sum;
+        x[i] = before[i * lanes] + sum;
     }
+}
+
+static void dense_dop853(const lag_stepper *s, double t, double *x)
+{
+    const double h = s->t - s->t_before;
+    lag_dop853_inside(s->ode->size, 1, place_dense(s), s->x_before, h > 0.0 ? (t - s->t_before) / h : 1.0, x);
 }
 
 const lag_method lag_dop853 = {

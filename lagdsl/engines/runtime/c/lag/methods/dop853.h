@@ -47,6 +47,9 @@ struct lag_stepper;
 /* Slopes of the last accepted step, and the state before it; they are there until the next attempt. */
 lag_attempt_arrays lag_dop853_last(const struct lag_stepper *s);
 
+/* The state x (size) at this part of a step from `before`, of one lane: numbers of `before` and `terms` are `lanes` apart. */
+void lag_dop853_inside(size_t size, size_t lanes, const double *terms, const double *before, double part, double *x);
+
 /* xd (size, lanes) at t (lanes) and x (size, lanes) of stage i; 0: the attempt ends. */
 typedef int lag_attempt_rates(void *context, size_t i, const double *t, const double *x, double *xd);
 
@@ -58,7 +61,13 @@ typedef int lag_attempt_rates(void *context, size_t i, const double *t, const do
 #endif
 
 #if defined(__GNUC__)
+#if !LAG_ATTEMPTS_WIDE || !defined(LAG_ATTEMPT_WIDTH)
 #define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline))
+#elif LAG_ATTEMPT_WIDTH == 8
+#define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline, target("avx512f")))
+#else
+#define LAG_ATTEMPT_INLINED static inline __attribute__((always_inline, target("avx")))
+#endif
 /* So many numbers are side by side as a register holds: compilers keep longer vectors in memory. */
 #if !defined(LAG_ATTEMPT_WIDTH) && defined(__AVX__)
 #define LAG_ATTEMPT_WIDTH 4
@@ -80,6 +89,37 @@ LAG_ATTEMPT_INLINED void lag_wide_to(double *x, lag_wide value)
 }
 
 typedef unsigned long long lag_wide_bits __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH)));
+typedef long long lag_wide_truth __attribute__((vector_size(8 * LAG_ATTEMPT_WIDTH), aligned(8), may_alias));
+
+/* In each place x where the truth (all bits or none) holds, else y. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_chosen(lag_wide_truth truth, lag_wide x, lag_wide y)
+{
+    const lag_wide_bits mask = (lag_wide_bits)truth;
+    return (lag_wide)((mask & (lag_wide_bits)x) | (~mask & (lag_wide_bits)y));
+}
+
+LAG_ATTEMPT_INLINED lag_wide lag_wide_size(lag_wide x)
+{
+    const lag_wide none = {0.0};
+    return (lag_wide)((lag_wide_bits)x & ~(lag_wide_bits)-none);
+}
+
+/* The root of each number: compilers have a word for that of each kind of register, if any. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_sqrt(lag_wide x)
+{
+#if defined(__clang__) || !defined(__x86_64__)
+    for (size_t k = 0; k < LAG_WIDTH; ++k) {
+        x[k] = sqrt(x[k]);
+    }
+    return x;
+#elif LAG_ATTEMPT_WIDTH == 8
+    return (lag_wide)__builtin_ia32_sqrtpd512_mask(x, x, (char)-1, 4);
+#elif LAG_ATTEMPT_WIDTH == 4
+    return (lag_wide)__builtin_ia32_sqrtpd256(x);
+#else
+    return (lag_wide)__builtin_ia32_sqrtpd(x);
+#endif
+}
 
 /* Several entries at i of the weighted slopes, added to `sum`. */
 LAG_ATTEMPT_INLINED lag_wide lag_wide_added(size_t count, const lag_combination *c, const double *slope, size_t i, lag_wide sum)
@@ -97,6 +137,29 @@ LAG_ATTEMPT_INLINED void lag_wide_combined(size_t i, const double *h, lag_wide s
 }
 #else
 #define LAG_ATTEMPT_INLINED static inline
+enum { LAG_WIDTH = 1 };
+typedef double lag_wide;
+typedef int lag_wide_truth;
+
+static inline lag_wide lag_wide_at(const double *x)
+{
+    return *x;
+}
+
+static inline void lag_wide_to(double *x, lag_wide value)
+{
+    *x = value;
+}
+
+static inline lag_wide lag_wide_chosen(lag_wide_truth truth, lag_wide x, lag_wide y)
+{
+    return truth ? x : y;
+}
+
+static inline lag_wide lag_wide_size(lag_wide x)
+{
+    return fabs(x);
+}
 #endif
 
 /* The entry at i of the weighted slopes, added to `sum`. */
@@ -244,106 +307,6 @@ LAG_ATTEMPT_INLINED void lag_attempt_compare(size_t lanes, const double *x, doub
 #endif
     for (; k < lanes; ++k) {
         fault[k] = x[k] > least ? fault[k] : (double)NAN;
-    }
-}
-
-/* Estimates of order 5 and of order 3 at i of the error of the new state, as parts of h. */
-LAG_ATTEMPT_INLINED void lag_estimates(size_t count, const double *slope, size_t i, double *fifth, double *third)
-{
-    *fifth = lag_added(count, &lag_dop853_fifth, slope, i, 0.0);
-    *third = lag_added(count, &lag_dop853_stages[LAG_DOP853_END], slope, i, lag_added(count, &lag_dop853_third, slope, i, 0.0));
-}
-
-#if defined(__GNUC__)
-/* The same of several entries. */
-LAG_ATTEMPT_INLINED void lag_wide_estimates(size_t count, const double *slope, size_t i, lag_wide *fifth, lag_wide *third)
-{
-    const lag_combination *step = &lag_dop853_stages[LAG_DOP853_END];
-    const lag_wide none = {0.0};
-    lag_wide e5 = none;
-    lag_wide e3 = lag_wide_added(count, &lag_dop853_third, slope, i, none);
-    for (unsigned j = 0; j < step->count; ++j) { /* both are of the same slopes */
-        const lag_wide x = lag_wide_at(slope + step->slope[j] * count + i);
-        e5 += lag_dop853_fifth.weight[j] * x;
-        e3 += step->weight[j] * x;
-    }
-    *fifth = e5;
-    *third = e3;
-}
-#endif
-
-/* Both estimates together, section II.10, formula (10.17), of lane k into error[k]. */
-LAG_ATTEMPT_INLINED void lag_attempt_errors(const lag_attempt_arrays *at, double *error)
-{
-    const size_t count = at->size * at->lanes;
-    const size_t last = at->lanes - 1; /* all ones: i & last is i % lanes, without a division */
-    double fifth[LAG_ATTEMPT_LANES] = {0.0};
-    double third[LAG_ATTEMPT_LANES] = {0.0};
-    size_t i = 0;
-#if defined(__GNUC__)
-    for (; i + LAG_WIDTH <= count; i += LAG_WIDTH) {
-        const lag_wide tolerance = lag_wide_at(at->tolerance + i);
-        lag_wide e5, e3;
-        lag_wide_estimates(count, at->slope, i, &e5, &e3);
-        e5 /= tolerance;
-        e3 /= tolerance;
-        if (at->lanes >= LAG_WIDTH) {
-            double *f = fifth + (i & last);
-            double *t = third + (i & last);
-            lag_wide_to(f, lag_wide_at(f) + e5 * e5);
-            lag_wide_to(t, lag_wide_at(t) + e3 * e3);
-            continue;
-        }
-        for (size_t k = 0; k < LAG_WIDTH; ++k) {
-            fifth[k & last] += e5[k] * e5[k];
-            third[k & last] += e3[k] * e3[k];
-        }
-    }
-#endif
-    for (; i < count; ++i) {
-        double e5, e3;
-        lag_estimates(count, at->slope, i, &e5, &e3);
-        e5 /= at->tolerance[i];
-        e3 /= at->tolerance[i];
-        fifth[i & last] += e5 * e5;
-        third[i & last] += e3 * e3;
-    }
-    for (size_t k = 0; k < at->lanes; ++k) {
-        const double both = fifth[k] + 0.01 * third[k];
-        const double of_both = both > 0.0 ? at->h[k] * fifth[k] / sqrt(both * (double)at->size) : 0.0;
-        error[k] = isfinite(both) ? of_both : (double)INFINITY;
-    }
-}
-
-/* h |lambda| of lane k into urge[k], from the last stage and the new state, both at the end of the step: section IV.2, (2.38). */
-LAG_ATTEMPT_INLINED void lag_attempt_urges(const lag_attempt_arrays *at, double *urge)
-{
-    const size_t count = at->size * at->lanes;
-    const size_t last = at->lanes - 1;
-    const double *end = at->slope + LAG_DOP853_END * count;
-    const double *stage = at->slope + (LAG_DOP853_STAGES - 1) * count;
-    double change[LAG_ATTEMPT_LANES] = {0.0};
-    double distance[LAG_ATTEMPT_LANES] = {0.0};
-    size_t i = 0;
-#if defined(__GNUC__)
-    for (; i + LAG_WIDTH <= count && at->lanes >= LAG_WIDTH; i += LAG_WIDTH) {
-        const lag_wide tolerance = lag_wide_at(at->tolerance + i);
-        const lag_wide by = (lag_wide_at(end + i) - lag_wide_at(stage + i)) / tolerance;
-        const lag_wide of = (lag_wide_at(at->x_new + i) - lag_wide_at(at->stage + i)) / tolerance;
-        double *c = change + (i & last);
-        double *d = distance + (i & last);
-        lag_wide_to(c, lag_wide_at(c) + by * by);
-        lag_wide_to(d, lag_wide_at(d) + of * of);
-    }
-#endif
-    for (; i < count; ++i) {
-        const double by = (end[i] - stage[i]) / at->tolerance[i];
-        const double of = (at->x_new[i] - at->stage[i]) / at->tolerance[i];
-        change[i & last] += by * by;
-        distance[i & last] += of * of;
-    }
-    for (size_t k = 0; k < at->lanes; ++k) {
-        urge[k] = distance[k] > 0.0 ? at->h[k] * sqrt(change[k] / distance[k]) : 0.0;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "lag/linalg/finite.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/vector.h"
+#include "lag/methods/step_control.h"
 
 size_t lag_stepper_memory(const lag_ode *ode)
 {
@@ -155,14 +156,12 @@ lag_status lag_stepper_dense(lag_stepper *s, double t, double *x)
 
 double lag_stepper_length(const lag_stepper *s, double h, double limit)
 {
-    const double rest = limit - s->t;
-    const double most = lag_lower(h, s->h_most);
-    return most * LAG_STRETCH >= rest ? rest : most;
+    return lag_control_length(lag_lower(h, s->h_most), limit - s->t);
 }
 
 double lag_stepper_end(const lag_stepper *s, double h, double limit)
 {
-    return h >= limit - s->t ? limit : s->t + h;
+    return lag_control_end(s->t, h, limit);
 }
 
 void lag_stepper_accept(lag_stepper *s, double t_new, const double *x_new, const double *f_new)

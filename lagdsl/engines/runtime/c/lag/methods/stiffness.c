@@ -253,3 +253,8 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s,
     }
     return s->method->implicit ? after_implicit(stiffness, s) : after_explicit(stiffness, s, stop);
 }
+
+double lag_stiffness_border(const lag_stiffness *stiffness)
+{
+    return stiffness->wait > 0 || stiffness->signs > 0 ? -1.0 : EASY;
+}

@@ -38,6 +38,12 @@ void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory);
 const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s, double stop);
 
 /*
+ * A step of the explicit method of which h |lambda| is at most this changes nothing here: lag_stiffness_method() need not be asked behind it.
+ * Negative: it is to be asked behind each step.
+ */
+double lag_stiffness_border(const lag_stiffness *stiffness);
+
+/*
  * Magnitude of the eigenvalue of the Jacobian at the present state of `s` that is largest in magnitude, by the power method on vectors that the
  * tolerances of `s` scale; 0 where it is not to be had.
  */

@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "lag/linalg/order.h"
 #include "lag/run.h"
 
 size_t lag_conditions_memory(const lag_model *model)
@@ -13,14 +12,14 @@ size_t lag_conditions_memory(const lag_model *model)
 /* The scale of invariant i, with the present state. */
 static double size_of(const lag_conditions *watch, size_t i)
 {
-    return lag_higher(lag_higher(fabs(watch->start[i]), watch->scale[i]), watch->size[i]);
+    return lag_conditions_size(watch->start[i], watch->scale[i], watch->size[i]);
 }
 
 static int invariants_hold(const lag_conditions *watch)
 {
     int within = 1;
     for (size_t i = 0; i < watch->motion->model->ni; ++i) {
-        within = within && fabs(watch->value[i] - watch->start[i]) <= watch->tolerance[i] * size_of(watch, i);
+        within = within && lag_conditions_drift(watch->value[i], watch->start[i]) <= watch->tolerance[i] * size_of(watch, i);
     }
     return within;
 }
@@ -29,7 +28,7 @@ void lag_conditions_count(lag_conditions *watch)
 {
     for (size_t i = 0; i < watch->motion->model->ni; ++i) {
         watch->size[i] = size_of(watch, i);
-        watch->drift[i] = lag_higher(fabs(watch->value[i] - watch->start[i]), watch->drift[i]);
+        watch->drift[i] = lag_higher(lag_conditions_drift(watch->value[i], watch->start[i]), watch->drift[i]);
     }
 }
 

@@ -2,7 +2,10 @@
 #ifndef LAG_CONDITIONS_H
 #define LAG_CONDITIONS_H
 
+#include <math.h>
+
 #include "lag/equations/motion.h"
+#include "lag/linalg/order.h"
 
 /* Values known already at the state x at time t, in lanes: of each array numbers of one state are `lanes` apart. */
 typedef struct lag_known_conditions {
@@ -20,6 +23,17 @@ typedef struct lag_conditions {
     double *value, *scale, *held; /* (ni) (ni) (na) */
     double *warned;               /* (na) 1: it does not hold, and that was told */
 } lag_conditions;
+
+/* How far an invariant is from its start, and its scale: the largest term that it has had. */
+static inline double lag_conditions_drift(double value, double start)
+{
+    return fabs(value - start);
+}
+
+static inline double lag_conditions_size(double start, double scale, double before)
+{
+    return lag_higher(lag_higher(fabs(start), scale), before);
+}
 
 /* Doubles for `value`, `scale`, `held` and `warned`. */
 size_t lag_conditions_memory(const lag_model *model);

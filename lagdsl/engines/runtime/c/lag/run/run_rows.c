@@ -31,7 +31,7 @@ int lag_run_looks_inside(const lag_run *run, double t)
     return (run->counts.row < options->count && options->times[run->counts.row] < t) || lag_guards_count(&run->guards) > 0;
 }
 
-static lag_status record(lag_run *run, double t, const double *x)
+lag_status lag_run_row(lag_run *run, double t, const double *x)
 {
     const size_t size = run->stepper.ode->size;
     if (run->options.rows != NULL) {
@@ -61,11 +61,11 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
             status = lag_run_watch(run, time, run->point, NULL);
         }
         if (status == LAG_OK) {
-            status = record(run, time, run->point);
+            status = lag_run_row(run, time, run->point);
         }
     }
     while (status == LAG_OK && up_to && run->counts.row < options->count && options->times[run->counts.row] == t) {
-        status = record(run, t, run->stepper.x);
+        status = lag_run_row(run, t, run->stepper.x);
     }
     return status;
 }

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "lag/methods/step_control.h"
 #include "lag/sensitivities/stage_equations_make.h"
 
 #if LAG_ATTEMPTS_WIDE

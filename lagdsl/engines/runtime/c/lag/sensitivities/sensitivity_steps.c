@@ -7,6 +7,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
+#include "lag/methods/step_control.h"
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
 
@@ -262,7 +263,7 @@ lag_status lag_sensitivities_step(lag_run *run)
         return status;
     }
     s->columns.t = stepper->t;
-    const double factor = error > 0.0 ? LAG_DOP853_SAFETY * pow(error, -1.0 / 8.0) : 1.0 / LAG_DOP853_SHRINK;
+    const double factor = error > 0.0 ? lag_control_part(error) : 1.0 / LAG_DOP853_SHRINK;
     const int rounding = again && error > 0.5 * s->columns.rejected; /* a shorter step did not help */
     if (error > 1.0 && !rounding && h * LAG_DOP853_SHRINK > stepper->h_least) {
         s->columns.rejected = error;

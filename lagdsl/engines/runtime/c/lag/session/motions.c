@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/order.h"
 
 int lag_motions_can(const lag_model *model, const lag_states *states)
 {
@@ -12,7 +13,7 @@ int lag_motions_can(const lag_model *model, const lag_states *states)
 
 size_t lag_motions_memory(const lag_model *model, const lag_states *states)
 {
-    return states->lanes * (model->nu + model->nw + model->np + model->nc + 2 * model->ni + model->na + 3) + states->workspace;
+    return states->lanes * (model->nu + model->nw + model->np + model->nc + 5 * model->ni + model->na + 3) + states->workspace;
 }
 
 void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_states *states, double *memory)
@@ -33,6 +34,9 @@ void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_s
     motions->scale = lag_take(&memory, lanes * model->ni);
     motions->held = lag_take(&memory, lanes * model->na);
     motions->t = lag_take(&memory, lanes);
+    motions->start = lag_take(&memory, lanes * model->ni);
+    motions->size = lag_take(&memory, lanes * model->ni);
+    motions->drift = lag_take(&memory, lanes * model->ni);
     motions->known = (lag_known_conditions){
         .lanes = lanes, .t = motions->t, .value = motions->value, .scale = motions->scale, .held = motions->held
     };
@@ -106,13 +110,28 @@ void lag_motions_rates(void *context, const double *t, const double *x, double *
     lag_attempt_compare(states->lanes, motions->pivot, status == LAG_OK ? motions->smallest : (double)INFINITY, fault);
 }
 
-void lag_motions_monitor(void *context, const double *t, const double *x)
+void lag_motions_monitor(void *context, const double *t, const double *x, double *broken)
 {
     lag_motions *motions = context;
     const lag_states *states = motions->states;
+    const size_t lanes = states->lanes;
     const int found = states->monitor != NULL && states->monitor(&motions->at, motions->value, motions->scale, motions->held) == LAG_OK;
     motions->known.x = found ? x : NULL;
-    memcpy(motions->t, t, states->lanes * sizeof(double));
+    memcpy(motions->t, t, lanes * sizeof(double));
+    for (size_t i = 0; i < motions->model->ni && motions->tolerance != NULL; ++i) {
+        for (size_t k = 0; k < lanes; ++k) {
+            const size_t place = i * lanes + k;
+            const double drift = lag_conditions_drift(motions->value[place], motions->start[place]);
+            const double size = lag_conditions_size(motions->start[place], motions->scale[place], motions->size[place]);
+            broken[k] = drift <= motions->tolerance[i] * size ? broken[k] : 1.0;
+        }
+    }
+    for (size_t i = 0; i < motions->model->na * lanes; ++i) { /* warnings are told, too */
+        broken[i & (lanes - 1)] = motions->held[i] > 0.0 ? broken[i & (lanes - 1)] : 1.0;
+    }
+    for (size_t k = 0; k < lanes && !found; ++k) {
+        broken[k] = 1.0;
+    }
 }
 
 void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions *known)
@@ -124,4 +143,34 @@ void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions
     known->value = all->value + k;
     known->scale = all->scale + k;
     known->held = all->held + k;
+}
+
+void lag_motions_open(lag_motions *motions, size_t k, const lag_conditions *conditions)
+{
+    const size_t lanes = motions->states->lanes;
+    motions->tolerance = conditions->tolerance;
+    put(motions->model->ni, lanes, k, conditions->start, motions->start);
+    put(motions->model->ni, lanes, k, conditions->size, motions->size);
+    put(motions->model->ni, lanes, k, conditions->drift, motions->drift);
+}
+
+void lag_motions_count(lag_motions *motions, const double *accepted)
+{
+    const size_t lanes = motions->states->lanes;
+    for (size_t i = 0; i < motions->model->ni * lanes && motions->known.x != NULL; ++i) {
+        const int counts = accepted[i & (lanes - 1)] != 0.0;
+        const double drift = lag_conditions_drift(motions->value[i], motions->start[i]);
+        const double size = lag_conditions_size(motions->start[i], motions->scale[i], motions->size[i]);
+        motions->size[i] = counts ? size : motions->size[i];
+        motions->drift[i] = counts ? lag_higher(drift, motions->drift[i]) : motions->drift[i];
+    }
+}
+
+void lag_motions_close(const lag_motions *motions, size_t k, lag_conditions *conditions)
+{
+    const size_t lanes = motions->states->lanes;
+    for (size_t i = 0; i < motions->model->ni; ++i) {
+        conditions->size[i] = motions->size[i * lanes + k];
+        conditions->drift[i] = motions->drift[i * lanes + k];
+    }
 }

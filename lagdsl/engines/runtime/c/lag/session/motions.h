@@ -15,6 +15,8 @@ typedef struct lag_motions {
     double smallest;                  /* pivot */
     lag_known_conditions known;       /* in lanes, at ends of attempts */
     double *value, *scale, *held, *t; /* (ni, lanes) (ni, lanes) (na, lanes) (lanes) of them */
+    double *start, *size, *drift;     /* (ni, lanes) of lanes that go on without their runs: lag_conditions */
+    const double *tolerance;          /* (ni) */
     lag_motion *of[LAG_ATTEMPT_LANES]; /* null: the lane is free */
     int prepared;                     /* for the parameters of all of them */
 } lag_motions;
@@ -33,8 +35,16 @@ void lag_motions_enter(lag_motions *motions, size_t k, lag_motion *motion);
 lag_status lag_motions_take(lag_motions *motions);
 lag_rates_in_lanes lag_motions_rates;
 
-/* The conditions that must hold, at the states that had their rates last; and `known` becomes those of lane k, until others are found. */
+/*
+ * The conditions that must hold, at the states that had their rates last: `broken` is 1 where a run has to be told. `known` becomes those of lane k,
+ * until others are found.
+ */
 lag_ends_in_lanes lag_motions_monitor;
 void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions *known);
+
+/* Lane k goes on without its run, whose conditions these are; the states found last count in lanes that are `accepted`; the run of lane k catches up. */
+void lag_motions_open(lag_motions *motions, size_t k, const lag_conditions *conditions);
+void lag_motions_count(lag_motions *motions, const double *accepted);
+void lag_motions_close(const lag_motions *motions, size_t k, lag_conditions *conditions);
 
 #endif
