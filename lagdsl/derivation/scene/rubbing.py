@@ -29,7 +29,7 @@ _SPREAD = 0.1
 _MOST_POINTS = 48
 
 Directions = tuple[fx.FlatExpression, ...]
-_Moving = tuple[fx.FlatExpression, Floats]
+_Traveling = tuple[fx.FlatExpression, Floats]
 """A point, and (positions, coordinates, 3) its velocity for a unit rate of each coordinate."""
 
 
@@ -56,7 +56,7 @@ class Rubbing:
         if friction.dimension != VELOCITY:
             return ()
         slips = self._changes([[[number(at, slip) for slip in friction.slips] for at in row] for row in self._at])
-        for at, moves in (*self._known, *self._moving(self._touching(friction))):
+        for at, moves in (*self._known, *self._traveling(self._touching(friction))):
             directions = self._along(slips, moves)
             if directions is not None:
                 return (Place(at, directions),)
@@ -72,18 +72,18 @@ class Rubbing:
         values = np.array(found)
         return np.asarray(values[:, 1:] - values[:, :1])
 
-    def _moving(self, points: Iterable[tuple[fx.FlatExpression, fx.FlatExpression]]) -> Iterator[_Moving]:
-        """Those of the points with these velocities that move, and whose velocity has a value."""
+    def _traveling(self, points: Iterable[tuple[fx.FlatExpression, fx.FlatExpression]]) -> Iterator[_Traveling]:
+        """Points that move, of those with these velocities; their velocities have values."""
         for at, velocity in points:
             moves = self._changes([[vector(moment, velocity) for moment in row] for row in self._at])
             if np.isfinite(moves).all() and np.any(moves):
                 yield at, moves
 
     @cached_property
-    def _known(self) -> list[_Moving]:
+    def _known(self) -> list[_Traveling]:
         """Named points, masses, origins of frames with a body, as far as they move."""
         places = sorted(self._machine.points, key=lambda at: not isinstance(at, fx.PointReference))
-        return list(self._moving((at, fx.Derivative(at)) for at in places[:_MOST_POINTS]))
+        return list(self._traveling((at, fx.Derivative(at)) for at in places[:_MOST_POINTS]))
 
     def _touching(self, friction: Friction) -> Iterator[tuple[fx.FlatExpression, fx.FlatExpression]]:
         """Points of bodies that touch, with the velocities of these there: the lowest one of a round shape over the

@@ -32,7 +32,7 @@ _OF_JOINTS: dict[ShapeKind, Literal["force", "torque"]] = {"reaction": "force", 
 
 
 @record()
-class _Carrier:
+class _Element:
     """A mass or the mass centre of a body, with the coordinates that move it."""
 
     name: str
@@ -46,7 +46,7 @@ class _Carrier:
 
 def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     """The model with its arrows as its only outputs, and with the parameters that `living` gives it."""
-    carriers = list(_carriers(flat))
+    carriers = list(_movable_elements(flat))
     shapes = [each.arrow("velocity", fx.Derivative(each.position)) for each in carriers]
     shapes += [each.arrow("acceleration", fx.Derivative(fx.Derivative(each.position))) for each in carriers]
     shapes += [*_admissible(flat, carriers), *_reactions(flat), *_constraint_forces(flat, carriers), *_frictions(flat)]
@@ -54,8 +54,8 @@ def with_vectors(flat: fm.FlatModel, starts: Collection[str] = ()) -> Living:
     return with_scene(replace(flat, outputs=(), invariants=()), scene, starts)
 
 
-def _carriers(flat: fm.FlatModel) -> Iterator[_Carrier]:
-    """Those that move."""
+def _movable_elements(flat: fm.FlatModel) -> Iterator[_Element]:
+    """Masses and bodies that move."""
     dependence = Dependence(flat)
     found = [
         (at.name if isinstance(at := item.position, fx.PointReference) else f"mass {k}", at, item.spans)
@@ -66,10 +66,10 @@ def _carriers(flat: fm.FlatModel) -> Iterator[_Carrier]:
         own = dependence.of(position)
         moved = tuple(item.name for item in flat.coordinates if item.name in own)
         if moved or "time" in own:
-            yield _Carrier(name, position, moved, spans)
+            yield _Element(name, position, moved, spans)
 
 
-def _admissible(flat: fm.FlatModel, carriers: Sequence[_Carrier]) -> Iterator[Shape]:
+def _admissible(flat: fm.FlatModel, carriers: Sequence[_Element]) -> Iterator[Shape]:
     """dr/dq_j of each mass: with others held, a coordinate moves it along this arrow (d'Alembert's virtual motions)."""
     units = {item.name: item.unit for item in flat.coordinates}
     moving = [(each, name) for each in carriers for name in each.moved]
@@ -111,7 +111,7 @@ def _carried(joint: fm.Joint, frames: dict[str, fm.Frame]) -> str | None:
     return None
 
 
-def _constraint_forces(flat: fm.FlatModel, carriers: Sequence[_Carrier]) -> Iterator[Shape]:
+def _constraint_forces(flat: fm.FlatModel, carriers: Sequence[_Element]) -> Iterator[Shape]:
     """lambda dphi/dr of each position constraint on the masses whose position is coordinates alone."""
     points = {item.name: item.position for item in flat.named if isinstance(item, fm.Point)}
     dependence = Dependence(flat)

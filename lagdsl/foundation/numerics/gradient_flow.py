@@ -30,7 +30,7 @@ _RANGE = 1e12  # of the lengths of steps, either way
 
 
 def fall(implicit: Implicit, growth: Growth, start: Floats, length: float) -> Floats | None:
-    """Where the flow from `start` ends; None if it does not come to rest.
+    """The end of the flow from `start`; None if it does not come to rest.
 
     `implicit(x, before, step)` gives the equations of a step of implicit Euler from `before` to x and their Jacobian;
     `growth(x)` is the largest real part of the eigenvalues of the flow there, `length` the first step.

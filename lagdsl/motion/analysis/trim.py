@@ -274,8 +274,8 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
 
 
 def _fallen(task: _Task, equations: Equations, own: Callable[[Floats], Floats], scale: Floats) -> Minimizer | None:
-    """Where rates as large as the accelerations lead from the start: along the constraints, down a potential. None for
-    a motion, where inputs are free, and where unknowns are more than rows."""
+    """The end of a motion with rates as large as the accelerations: along the constraints, down a potential. None for
+    steady motions, where inputs are free, and where unknowns are more than rows."""
     n, origin = len(task.start.q), np.zeros(len(task.free))
     last = 2 * n + len(task.start.z)
     if len(task.rates) < n or len(own(origin)) < len(task.free) or any(i >= last for i in task.free):

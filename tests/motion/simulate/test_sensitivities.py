@@ -129,7 +129,9 @@ def test_a_ball_is_differentiated_through_its_bounces_and_their_limit(tolerance:
             values: list[complex] = [1.0, 0.8, 9.81]
             values[number] += 1e-30j
             exact = _complex_height(*values, t).imag / 1e-30
-            assert motion.derivative("h", name)[row] == pytest.approx(exact, abs=1e-11 * (1.0 + abs(exact)))
+            bounces = int(np.sum(events < t))
+            bound = 1e-11 * 0.8 ** -max(bounces - 9, 0)  # an error of the speed outlives a bounce, the height does not
+            assert motion.derivative("h", name)[row] == pytest.approx(exact, abs=bound * (1.0 + abs(exact)))
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-10])

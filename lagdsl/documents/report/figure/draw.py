@@ -138,7 +138,7 @@ def _pieces(form: str) -> list[Floats]:
 
 def _names(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     """The masses and bodies of a machine without admissible motions, if they are few."""
-    for k, place in found.places if len(found.carriers) <= _MOST_NAMES else ():
+    for k, place in found.places if len(found.elements) <= _MOST_NAMES else ():
         if width(drawn.carriers[k]) <= _LONGEST_NAME:
             sheet.add([place], lambda at, label=drawn.carriers[k]: Caption(at, label, at), counted=False)
 
@@ -152,7 +152,7 @@ def _motions(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     for j, own in enumerate(moved):
         longest = max((float(np.linalg.norm(rate)) for _, rate in own), default=1.0)
         for k, rate in own:
-            place, r = found.vector(found.carriers[k]), indexed(bold(drawn.letter("r")), drawn.carriers[k])
+            place, r = found.vector(found.elements[k]), indexed(bold(drawn.letter("r")), drawn.carriers[k])
             label = Derivative("∂", r, drawn.coordinates[j]) if count <= _MOST_LABELS else None
             sheet.arrow([place, place + rate / longest * _LENGTHS["motion"] * sheet.size], "motion", label, j)
 
@@ -165,10 +165,10 @@ def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, num
         _turning(sheet, found, item, label, number)
         return
     k, rate = own[0]
-    place, speed = found.vector(found.carriers[k]), float(np.linalg.norm(rate))
+    place, speed = found.vector(found.elements[k]), float(np.linalg.norm(rate))
 
     def at(step: float) -> Floats:
-        return vector(found.at(moved={item.name: value + step}), found.carriers[k])
+        return vector(found.at(moved={item.name: value + step}), found.elements[k])
 
     curve = (at(1e-3) - 2.0 * place + at(-1e-3)) / 1e-6
     if item.unit == "rad" and abs(np.linalg.norm(curve) - speed) < 1e-2 * speed:
@@ -194,7 +194,7 @@ def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, num
 
 def _turning(sheet: _Sheet, found: Pose, item: fm.Coordinate, label: Box, number: int) -> None:
     """An arc about the mass centre of the first body that the coordinate turns in its place."""
-    for body, center in zip(found.flat.bodies, found.carriers[len(found.flat.masses) :], strict=True):
+    for body, center in zip(found.flat.bodies, found.elements[len(found.flat.masses) :], strict=True):
         place, spin = found.vector(center), vector(found.at(item.name), fx.AngularVelocity(body.frame))
         if not (np.isfinite(place).all() and np.linalg.norm(spin) > 1e-9):
             continue
@@ -220,7 +220,7 @@ def _weights(sheet: _Sheet, found: Pose, drawn: DrawnModel) -> None:
     down = gravity_of(drawn.flat)
     if down is None:
         return
-    few = len(found.carriers) <= _MOST_LABELS
+    few = len(found.elements) <= _MOST_LABELS
     for k, place in found.places:
         way = [place, place + down * _LENGTHS["weight"] * sheet.size]
         sheet.arrow(way, "weight", drawn.weights[k] if few else None)

@@ -38,20 +38,20 @@ class Pose:
         return vector(self.at(), expression)
 
     @cached_property
-    def carriers(self) -> tuple[fx.FlatExpression, ...]:
+    def elements(self) -> tuple[fx.FlatExpression, ...]:
         """Positions of masses, then of the mass centres of bodies."""
         return (*(mass.position for mass in self.flat.masses), *map(mass_centre, self.flat.bodies))
 
     @cached_property
     def places(self) -> list[tuple[int, Floats]]:
-        """Those of the carriers, by their numbers, that have one."""
-        found = enumerate(map(self.vector, self.carriers))
+        """Of the elements, by their numbers, that have one."""
+        found = enumerate(map(self.vector, self.elements))
         return [(number, place) for number, place in found if np.isfinite(place).all()]
 
     def moved(self, coordinate: str) -> list[tuple[int, Floats]]:
-        """Carriers that a coordinate moves, with the derivatives (3,) of their places."""
+        """Elements that a coordinate moves, with the derivatives (3,) of their places."""
         at = self.at(coordinate)
-        rates = ((number, vector(at, fx.Derivative(each))) for number, each in enumerate(self.carriers))
+        rates = ((number, vector(at, fx.Derivative(each))) for number, each in enumerate(self.elements))
         return [(number, rate) for number, rate in rates if np.linalg.norm(rate) > 1e-9]
 
 

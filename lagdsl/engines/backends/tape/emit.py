@@ -193,7 +193,7 @@ def _shared(nodes: Nodes, live: Ints, roots: Ints) -> Ints:
 
 
 def _differentiated(nodes: Nodes, needed: _Needed) -> Ints:
-    """What depends on a direction, and what that reads."""
+    """Nodes that depend on a direction, and their operands."""
     live = needed.live
     moving = live[(nodes.groups[live] & _DIRECTIONS != 0) & (nodes.op[live] >= FIRST_UNARY)]
     operands = nodes.operands[:, moving].ravel()

@@ -80,7 +80,7 @@ class Template:
 
 @record()
 class _Place:
-    """Where a text stands: in a class, in loops over these names, in a `mode` of elaboration."""
+    """The place of a text: in a class, in loops over these names, in a `mode` of elaboration."""
 
     owner: Scope
     names: tuple[str, ...]

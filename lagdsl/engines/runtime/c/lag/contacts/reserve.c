@@ -69,7 +69,7 @@ static size_t row_of(const lag_reserve *r, size_t side)
     return is_contact(r, side) ? model->contact_rows[side] : model->friction_rows[(size_t)r->frictions->first[side - model->ncontact]];
 }
 
-/* How the limit of a side changes with the multiplier of a row: a contact bears its own force. */
+/* Change of the limit of a side with the multiplier of a row: a contact bears its own force. */
 static double gain_of(const lag_reserve *r, size_t side, size_t row)
 {
     const lag_model *model = r->motion->model;

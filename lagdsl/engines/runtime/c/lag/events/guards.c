@@ -18,7 +18,7 @@ static int is_closed(const lag_guards *guards, size_t k)
     return guards->motion->w[guards->places.contact + k] != 0.0;
 }
 
-/* What all values are made of, where `motion` is. */
+/* Finds the terms of all values, where `motion` is. */
 static lag_status look(lag_guards *guards)
 {
     const lag_motion *motion = guards->motion;

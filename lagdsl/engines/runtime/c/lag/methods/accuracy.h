@@ -25,7 +25,7 @@ typedef struct lag_accuracy {
 static const double LAG_ACCURACY_FLOOR = 1e-4;
 static const double LAG_ACCURACY_ROUNDING = 1e-15;
 
-/* What bounds the scale of number i, and the least tolerance of it where it is zero. */
+/* Bound of the scale of number i; its least tolerance where it is zero. */
 static inline double lag_accuracy_floor(const lag_accuracy *accuracy, size_t i)
 {
     return LAG_ACCURACY_FLOOR * accuracy->natural[i];

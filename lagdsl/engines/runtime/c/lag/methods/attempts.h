@@ -42,7 +42,7 @@ typedef struct lag_lane_accuracy {
     double relative;
 } lag_lane_accuracy;
 
-/* What attempts have led to. */
+/* Results of attempts. */
 typedef struct lag_lane_outcomes {
     lag_of_lanes error, urge;
     lag_of_lanes behind, again;     /* lengths that follow an attempt that is accepted, or is not */

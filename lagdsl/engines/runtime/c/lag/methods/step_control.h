@@ -78,14 +78,14 @@ static inline double lag_chosen(int truth, double x, double y)
         return chosen(a > b, a, b);                                                                                        \
     }                                                                                                                      \
                                                                                                                            \
-    /* What the next step knows of an error. */                                                                           \
+    /* Of an error, the part that the next step knows. */                                                                   \
     qualifiers real name##_before(real error)                                                                              \
     {                                                                                                                      \
         const real none = error * 0.0;                                                                                     \
         return name##_higher(error, none + 1e-4);                                                                          \
     }                                                                                                                      \
                                                                                                                            \
-    /* What an error alone lets the next step grow by: one that is lost in rounding counts as much as that. */              \
+    /* Growth of the next step by an error alone: one that is lost in rounding counts as much as that. */                  \
     qualifiers real name##_part(real error)                                                                                \
     {                                                                                                                      \
         const real none = error * 0.0;                                                                                     \

@@ -13,7 +13,7 @@ static const double EASY = 2.0;
 enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
 enum { PRODUCTS = ITERATIONS + 2 };
-/* What is tried in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run. */
+/* Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run. */
 enum { PARTS = 32 };
 
 /* Numbers of the matrix. */

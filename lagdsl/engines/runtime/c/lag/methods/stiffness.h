@@ -1,6 +1,6 @@
 /*
- * Which method makes more of the same work: an explicit step limited by stability, or an implicit one, which is longer and costs more? Work is counted in
- * evaluations of the rates.
+ * The choice of the method that makes more of the same work: explicit steps are limited by stability, implicit ones are longer and cost more. Work is
+ * counted in evaluations of the rates.
  *
  * The explicit method itself measures h |lambda| at every step. Where that stays near the border of its stability region, one step of the implicit method
  * is tried beside the motion: as long as it has to be to take less work to the end than the explicit steps would. Its error estimate knows what no

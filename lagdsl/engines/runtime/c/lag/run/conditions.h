@@ -24,7 +24,7 @@ typedef struct lag_conditions {
     double *warned;               /* (na) 1: it does not hold, and that was told */
 } lag_conditions;
 
-/* How far an invariant is from its start, and its scale: the largest term that it has had. */
+/* Distance of an invariant from its start, and its scale: the largest term that it has had. */
 static inline double lag_conditions_drift(double value, double start)
 {
     return fabs(value - start);

@@ -21,7 +21,7 @@ static void store_boolean(void *values, size_t index, double value)
     ((LAG_FMI(Boolean) *)values)[index] = value != 0.0;
 }
 
-/* What importers hand over need not be 0 or 1. */
+/* Values of importers need not be 0 or 1. */
 static double fetch_boolean(const void *values, size_t index)
 {
     return ((const lag_fmi_boolean_bits *)values)[index] != 0 ? 1.0 : 0.0;
