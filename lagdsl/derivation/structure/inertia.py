@@ -7,6 +7,7 @@ import numpy as np
 from lagdsl.derivation.structure.names import listed
 from lagdsl.derivation.structure.points import Geometry, Probe
 from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.numerics.connected_blocks import Flags, connected_blocks
 from lagdsl.foundation.numerics.part_by_part import free_directions, is_positive_definite
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
@@ -46,7 +47,7 @@ def massless(flat: FlatModel, space: Geometry, points: list[Probe]) -> Massless 
     masses = [point.mass for point in points if point.mass is not None]
     if len(masses) < max(len(points), 1) or not flat.coordinates:
         return None
-    if all(_shows_inertia(point, mass) for point, mass in zip(points, masses, strict=True)):
+    if all(_shows_inertia(space, point, mass) for point, mass in zip(points, masses, strict=True)):
         return None
     found = [_directions(space, point, mass) for point, mass in zip(points, masses, strict=True)]
     shares = np.min([np.linalg.norm(basis, axis=1) for basis, _ in found], axis=0)
@@ -80,16 +81,32 @@ def report_direction(flat: FlatModel, index: int, why: str, sink: Sink, help: st
     sink.report("E0503", place(coordinate), *labels, notes=(why,), help=help or known, name=coordinate.name)
 
 
-def _shows_inertia(point: Probe, mass: SparseMatrix) -> bool:
-    """True if coordinates without a mass follow from the rows, and M of the others is positive definite. Of many
-    coordinates only: the directions that are free need not be formed then."""
+def _shows_inertia(space: Geometry, point: Probe, mass: SparseMatrix) -> bool:
+    """True if coordinates without a mass follow from the rows, and M of the others is positive definite on the null
+    space of rows that tie coordinates of one block of it, as that of a unit quaternion. Of many coordinates only: the
+    directions that are free need not be formed then."""
     if len(mass) <= FEW:
         return False
     heavy = mass.diagonal() > 0.0
     moved = np.flatnonzero(heavy)
-    if np.any(mass.values[~heavy[mass.rows]]) or not is_positive_definite(mass.taken(moved, moved)):
+    if np.any(mass.values[~heavy[mass.rows]]):
+        return False
+    own = mass.taken(moved, moved)
+    if not is_positive_definite(own) and not is_positive_definite(own, _within_blocks(space, point, own, heavy)):
         return False
     return independent(point.rows.transposed().taken(np.flatnonzero(~heavy)))
+
+
+def _within_blocks(space: Geometry, point: Probe, mass: SparseMatrix, heavy: Flags) -> SparseMatrix:
+    """The rows of J, in coordinates, of which all coordinates are in one block of M; `mass` is that of the heavy ones."""
+    count = len(point.rows)
+    labels = np.full(len(heavy), -1, dtype=np.intp)
+    labels[heavy] = connected_blocks(mass.nonzero()).column_labels
+    rows = point.rows.with_values(point.rows.values / space.sizes[point.rows.columns]).nonzero()
+    least, largest = np.full(count, len(heavy), dtype=np.intp), np.full(count, -1, dtype=np.intp)
+    np.minimum.at(least, rows.rows, labels[rows.columns])
+    np.maximum.at(largest, rows.rows, labels[rows.columns])
+    return rows.taken(np.flatnonzero((least == largest) & (least >= 0)), np.flatnonzero(heavy))
 
 
 def _directions(space: Geometry, point: Probe, inertia: SparseMatrix) -> tuple[Floats, Floats]:

@@ -12,9 +12,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from lagdsl.derivation.structure.points import Geometry, Probe
-from lagdsl.foundation.numerics.connected_blocks import connected_blocks, entries
+from lagdsl.foundation.numerics.connected_blocks import Indices, connected_blocks, entries
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix, beside, product, sparse
 
 # M, scaled to a unit diagonal, is singular in directions with eigenvalues below this.
 _WEIGHTLESS = 1e-10
@@ -39,10 +39,10 @@ def stiffened(
     if not any(directions.shape[1] for directions in free):
         return {}
     reach = [
-        _without(rows.dense(), exchanged)[:, left] @ directions
+        product(_without(rows, exchanged).taken(np.arange(len(rows)), left), directions)
         for (rows, _), directions in zip(known, free, strict=True)
     ]
-    longest = np.max([np.max(np.abs(at), axis=1, initial=0.0) for at in reach], axis=0)
+    longest = np.max([at.largest() for at in reach], axis=0)
     candidates = [row for row in independent if longest[row] > _NOTHING]
     counts = space.pattern.counts()
     candidates.sort(key=lambda row: (int(counts[row]), row))
@@ -57,13 +57,16 @@ def stiffened(
     return {row: power_of_two(own / float(space.row_sizes[row]) ** 2) for row, own in moved.items()}
 
 
-def _without(rows: Floats, exchanged: Sequence[tuple[int, int]]) -> Floats:
+def _without(rows: SparseMatrix, exchanged: Sequence[tuple[int, int]]) -> SparseMatrix:
     """Rows in which the exchanged coordinates are expressed by the others."""
+    if not exchanged:
+        return rows
+    dense = rows.dense()
     for row, column in exchanged:
-        users = np.flatnonzero(rows[:, column])
+        users = np.flatnonzero(dense[:, column])
         users = users[users != row]
-        rows[users] -= np.outer(rows[users, column] / rows[row, column], rows[row])
-    return rows
+        dense[users] -= np.outer(dense[users, column] / dense[row, column], dense[row])
+    return sparse(dense)
 
 
 def _moved(space: Geometry, row: int, inertia: Floats) -> float:
@@ -74,26 +77,32 @@ def _moved(space: Geometry, row: int, inertia: Floats) -> float:
     return next((found for found in among if found > 0.0), 1.0)
 
 
-def _weightless(mass: SparseMatrix, sizes: Floats) -> Floats:
+def _weightless(mass: SparseMatrix, sizes: Floats) -> SparseMatrix:
     """Orthonormal columns, in natural sizes, that span the directions in which M vanishes."""
     diagonal = np.abs(mass.diagonal())
     heavy = diagonal > _WEIGHTLESS**2 * np.max(diagonal, initial=0.0)
     scale = np.where(heavy, 1.0 / np.sqrt(np.where(heavy, diagonal, 1.0)), 1.0)
     own = mass.only(heavy[mass.rows] & heavy[mass.columns])
     scaled = own.with_values(own.values * scale[own.rows] * scale[own.columns]).nonzero()
-    found = [np.zeros((len(mass), 0))]
+    found = [sparse(np.zeros((len(mass), 0)))]
     for parts in connected_blocks(_with_diagonal(scaled)).parts:
         blocks = entries(scaled, parts)
         try:  # ten times faster than eigenvalues, and mostly all that is needed
             np.linalg.cholesky(blocks - _WEIGHTLESS * np.eye(blocks.shape[1]))
         except np.linalg.LinAlgError:
             values, directions = np.linalg.eigh(blocks)
-            block, number = np.nonzero(values <= _WEIGHTLESS)
-            columns = np.zeros((len(mass), len(block)))
-            columns[parts.columns[block].T, np.arange(len(block))] = directions[block, :, number].T
-            found.append((scale / sizes)[:, None] * columns)
-    columns = np.hstack(found)
-    return np.asarray(np.linalg.qr(columns / np.linalg.norm(columns, axis=0))[0]) if columns.shape[1] else columns
+            for block in np.flatnonzero(values[:, 0] <= _WEIGHTLESS):
+                members = parts.columns[block]
+                columns = (scale / sizes)[members, None] * directions[block][:, values[block] <= _WEIGHTLESS]
+                found.append(_orthonormal(columns, members, len(mass)))
+    return beside(found)
+
+
+def _orthonormal(columns: Floats, members: Indices, count: int) -> SparseMatrix:
+    """An orthonormal basis of the columns (k, m), which stand in these of `count` rows."""
+    basis = np.linalg.qr(columns / np.linalg.norm(columns, axis=0))[0]
+    rows, numbers = np.indices(basis.shape)
+    return SparseMatrix((count, basis.shape[1]), members[rows.ravel()], numbers.ravel(), basis.ravel())
 
 
 def _with_diagonal(matrix: SparseMatrix) -> SparseMatrix:
@@ -103,12 +112,17 @@ def _with_diagonal(matrix: SparseMatrix) -> SparseMatrix:
     return SparseMatrix(matrix.shape, rows, columns, np.concatenate([matrix.values, np.zeros(len(empty))]))
 
 
-def _held(reach: Floats, rows: Sequence[int]) -> Floats:
+def _held(reach: SparseMatrix, rows: Sequence[int]) -> Floats:
     """Singular values of directions in the rows, the largest first."""
-    return np.asarray(np.linalg.svd(reach[list(rows)], compute_uv=False)) if len(rows) else np.zeros(0)
+    own = reach.taken(list(rows)).nonzero()
+    blocks = [np.linalg.svd(entries(own, parts), compute_uv=False).ravel() for parts in connected_blocks(own).parts]
+    values = np.zeros(min(own.shape))
+    found = np.concatenate([np.zeros(0), *blocks])
+    values[: len(found)] = np.sort(found)[::-1]
+    return values
 
 
-def _holds(reach: Floats, chosen: Sequence[int], candidates: Sequence[int], rank: int) -> bool:
+def _holds(reach: SparseMatrix, chosen: Sequence[int], candidates: Sequence[int], rank: int) -> bool:
     """True if the chosen rows hold `rank` directions, nearly as well as all candidates do."""
     if not rank:
         return True

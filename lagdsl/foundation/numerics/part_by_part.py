@@ -6,25 +6,36 @@ import numpy as np
 
 from lagdsl.foundation.numerics.connected_blocks import Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.rank import Floats, minimum_norms, null_space
-from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
+from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix, stack
 
 # Eigenvalues, of a matrix with a unit diagonal, that are surely not zero.
 _SAFE = 1e-6
 
 
-def is_positive_definite(matrix: SparseMatrix) -> bool:
-    """True if no eigenvalue of a symmetric matrix (n, n), scaled to a unit diagonal, is below 1e-6."""
+def is_positive_definite(matrix: SparseMatrix, rows: SparseMatrix | None = None) -> bool:
+    """True if no eigenvalue of a symmetric matrix (n, n), scaled to a unit diagonal, is below 1e-6; with `rows` (m, n),
+    of the sum with A' A, A being these rows, scaled to unit length."""
     diagonal = matrix.diagonal()
     if not np.all(diagonal > 0.0):
         return False
     scale = 1.0 / np.sqrt(diagonal)
     scaled = matrix.with_values(matrix.values * scale[matrix.rows] * scale[matrix.columns]).nonzero()
-    for parts in connected_blocks(scaled).parts:
+    stacked = scaled if rows is None else stack(scaled, _of_unit_length(rows, scale))
+    for parts in connected_blocks(stacked).parts:
+        n = parts.columns.shape[1]
+        blocks = entries(stacked, parts)
+        own, beside = blocks[:, :n], blocks[:, n:]
         try:
-            np.linalg.cholesky(entries(scaled, parts) - _SAFE * np.eye(parts.rows.shape[1]))
+            np.linalg.cholesky(own + beside.transpose(0, 2, 1) @ beside - _SAFE * np.eye(n))
         except np.linalg.LinAlgError:
             return False
     return True
+
+
+def _of_unit_length(rows: SparseMatrix, scale: Floats) -> SparseMatrix:
+    """Columns by their scale (n,), then rows."""
+    scaled = rows.with_values(rows.values * scale[rows.columns]).nonzero()
+    return scaled.with_values(scaled.values / scaled.lengths()[scaled.rows])
 
 
 def solved(matrix: SparseMatrix, right: Floats, split: Partition) -> Floats:

@@ -6,6 +6,8 @@ SciPy.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -110,6 +112,40 @@ def sparse_at(places: Indices, shape: tuple[int, ...], values: Floats) -> Sparse
     m, n = shape
     rows, columns = np.divmod(places, max(n, 1))
     return SparseMatrix((m, n), rows, columns, values)
+
+
+def stack(upper: SparseMatrix, lower: SparseMatrix) -> SparseMatrix:
+    """The rows of both, (m, n) above (k, n)."""
+    (m, n), k = upper.shape, len(lower)
+    rows, columns = np.concatenate([upper.rows, m + lower.rows]), np.concatenate([upper.columns, lower.columns])
+    return SparseMatrix((m + k, n), rows, columns, np.concatenate([upper.values, lower.values]))
+
+
+def beside(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
+    """The columns of all, (m, n) and (m, k) and so on, in this order."""
+    first = np.cumsum([0, *(matrix.shape[1] for matrix in matrices)])
+    return SparseMatrix(
+        (len(matrices[0]), int(first[-1])),
+        np.concatenate([matrix.rows for matrix in matrices]),
+        np.concatenate([matrix.columns + own for matrix, own in zip(matrices, first[:-1], strict=True)]),
+        np.concatenate([matrix.values for matrix in matrices]),
+    )
+
+
+def product(left: SparseMatrix, right: SparseMatrix) -> SparseMatrix:
+    """(m, n) times (n, k): of each entry of `left` as many terms as its row of `right` has."""
+    m, k = len(left), right.shape[1]
+    order = np.argsort(right.rows, kind="stable")
+    counts = right.counts()
+    terms = counts[left.columns]
+    begin = (np.cumsum(counts) - counts)[left.columns] - (np.cumsum(terms) - terms)
+    own = order[np.repeat(begin, terms) + np.arange(np.sum(terms))]
+    places = np.repeat(left.rows, terms) * k + right.columns[own]
+    values = np.repeat(left.values, terms) * right.values[own]
+    there, number = np.unique(places, return_inverse=True)
+    sums = np.zeros(len(there))
+    np.add.at(sums, number.ravel(), values)
+    return sparse_at(there, (m, k), sums)
 
 
 def _numbers(chosen: Indices | list[int] | None, count: int) -> Indices:
