@@ -98,7 +98,7 @@ def _shows_inertia(space: Geometry, point: Probe, mass: SparseMatrix) -> bool:
 
 
 def _within_blocks(space: Geometry, point: Probe, mass: SparseMatrix, heavy: Flags) -> SparseMatrix:
-    """The rows of J, in coordinates, of which all coordinates are in one block of M; `mass` is that of the heavy ones."""
+    """The rows of J, in coordinates, with all entries in one block of M; `mass` is that of the heavy ones."""
     count = len(point.rows)
     labels = np.full(len(heavy), -1, dtype=np.intp)
     labels[heavy] = connected_blocks(mass.nonzero()).column_labels

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from lagdsl.foundation.numerics.connected_blocks import connected_blocks
 from lagdsl.foundation.numerics.levenberg_marquardt import descend
-from lagdsl.foundation.numerics.sparse_matrix import sparse
+from lagdsl.foundation.numerics.part_by_part import is_positive_definite
+from lagdsl.foundation.numerics.sparse_matrix import beside, product, sparse, stack
 
 
 @settings(max_examples=examples(50), deadline=None)
@@ -51,3 +52,28 @@ def test_parts_take_the_steps_that_they_take_alone() -> None:
     together = descend(both, start, connected_blocks=connected_blocks(sparse(pattern))).point
     alone = [descend(lambda x, c=c: one(x, c), start[i : i + 2]).point for i, c in ((0, 1.0), (2, 5.0))]
     assert np.allclose(together, np.concatenate(alone), atol=1e-13)
+
+
+@settings(max_examples=examples(20), deadline=None)
+@given(st.integers(0, 5), st.integers(0, 5), st.integers(0, 5), st.integers(0, 2**31))
+def test_sparse_matrices_do_as_dense_ones(m: int, n: int, k: int, seed: int) -> None:
+    generator = np.random.default_rng(seed)
+    a, b, c = (generator.standard_normal(shape) * (generator.random(shape) < 0.4) for shape in ((m, n), (n, k), (k, n)))
+    assert np.allclose(product(sparse(a), sparse(b)).dense(), a @ b)
+    assert np.array_equal(stack(sparse(a), sparse(c)).dense(), np.vstack([a, c]))
+    assert np.array_equal(beside([sparse(b), sparse(c.T)]).dense(), np.hstack([b, c.T]))
+
+
+def test_rows_make_up_for_the_directions_that_a_matrix_lacks() -> None:
+    """Two blocks, each singular along one vector: both have to be in a row, and not only nearly across it."""
+    generator = np.random.default_rng(3)
+    lacking = generator.standard_normal((2, 4))
+    blocks = [np.eye(4) - np.outer(e, e) / (e @ e) for e in lacking]
+    zero = np.zeros((4, 4))
+    matrix = sparse(np.block([[blocks[0], zero], [zero, blocks[1]]]))
+    along = np.block([[lacking[:1], zero[:1]], [zero[:1], 7.0 * lacking[1:]]])
+    across = generator.standard_normal((2, 8)) @ matrix.dense()
+    assert not is_positive_definite(matrix)
+    assert is_positive_definite(matrix, sparse(along))
+    assert not is_positive_definite(matrix, sparse(along[:1]))
+    assert not is_positive_definite(matrix, sparse(across))
