@@ -98,24 +98,30 @@ class Assembly:
 
     def joints(self) -> tuple[Joint, ...]:
         """The links with coordinates, in the order of the text."""
-        return tuple(self._joint(link) for link in self._net.links if link.own and self._known(link))
+        links = [link for link in self._net.links if link.own and self._known(link)]
+        # those of a beam have the coordinates of all nodes: names are made once
+        names = {own: self._names(own) for own in {link.own: None for link in links}}
+        return tuple(self._joint(link, names[link.own]) for link in links)
 
     def _known(self, link: Link) -> bool:
         return self._routes.reached(link.base) and self._routes.reached(link.child)
 
-    def _joint(self, link: Link) -> Joint:
-        names = [
+    def _names(self, symbols: Sequence[Symbol]) -> tuple[str, ...]:
+        """Of all elements, as in the results."""
+        return tuple(
             self._merges.name_of(element_name(symbol.name, indices))
-            for symbol in link.own
+            for symbol in symbols
             for indices in every(self._ctx.resolver.shape(self._ctx, symbol) or ())
-        ]
+        )
+
+    def _joint(self, link: Link, names: tuple[str, ...]) -> Joint:
         return Joint(
             spans=(link.instance.span, *link.instance.scope.spans),
             name=link.instance.name,
             kind=link.instance.definition.node.name,
             frame_a=self._net.ports[link.base].name,
             frame_b=self._net.ports[link.child].name,
-            coordinates=tuple(names),
+            coordinates=names,
             cut=link.number in self._cuts,
         )
 
