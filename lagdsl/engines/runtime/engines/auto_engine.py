@@ -24,6 +24,7 @@ from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.engines.one_value import Place
 from lagdsl.engines.runtime.engines.tape_engine import TapeEngine
 from lagdsl.engines.runtime.structures import Status
+from lagdsl.foundation.collection import without_collection
 from lagdsl.foundation.diagnostics import CompilationFailed
 from lagdsl.foundation.resources import c_folder
 from lagdsl.foundation.version import __version__
@@ -170,7 +171,11 @@ def _building(program: Program, parts: tuple[str, ...], name: str) -> Background
     from lagdsl.engines.runtime.building.background_build import BackgroundBuild
     from lagdsl.engines.runtime.building.compiler import ALIKE
 
-    return BackgroundBuild(lambda: engine_sources(program, parts), (ALIKE,), name)
+    def sources() -> dict[str, str]:
+        with without_collection():
+            return engine_sources(program, parts)
+
+    return BackgroundBuild(sources, (ALIKE,), name)
 
 
 def _cached(name: str, program: Program, parts: tuple[str, ...]) -> NativeModel | None:
