@@ -21,7 +21,7 @@ def is_positive_definite(matrix: SparseMatrix, rows: SparseMatrix | None = None)
     scale = 1.0 / np.sqrt(diagonal)
     scaled = matrix.with_values(matrix.values * scale[matrix.rows] * scale[matrix.columns]).nonzero()
     stacked = scaled if rows is None else stack(scaled, _of_unit_length(rows, scale))
-    for parts in connected_blocks(stacked).parts:
+    for parts in sorted(connected_blocks(stacked).parts, key=lambda parts: parts.columns.shape[1]):
         n = parts.columns.shape[1]
         blocks = entries(stacked, parts)
         own, beside = blocks[:, :n], blocks[:, n:]
