@@ -247,6 +247,23 @@ def test_quaternion_has_a_singular_mass_matrix_and_is_accepted() -> None:
     assert structure_text(found).endswith("(d = 6B - k = 6*1 - 3 = 3)")
 
 
+@pytest.mark.parametrize(("inertia", "found"), [((1, 2, 2.5, 0, 0, 0), []), ((1, 0, 0, 0, 0, 0), ["E0503"])])
+def test_among_many_coordinates_a_quaternion_needs_its_row_and_three_inertias(
+    inertia: tuple[float, ...], found: list[str]
+) -> None:
+    """M is singular along the quaternion; its row is what makes up for that."""
+    e = tuple(Variable(name) for name in ("e0", "e1", "e2", "e3"))
+    masses = tuple(f"m{i}" for i in range(60))
+    flat = model(
+        coordinates=(*masses, *(coordinate(v.name, s) for v, s in zip(e, (1.0, 0.0, 0.0, 0.0), strict=True))),
+        named=(frame("A", "world", RotateQuaternion(e)),),  # type: ignore[arg-type]
+        bodies=(body("A", 1, inertia=inertia),),
+        energies=tuple(energy("kinetic", f"der({name})^2") for name in masses),
+        constraints=(constraint("unit", "e0^2 + e1^2 + e2^2 + e3^2 - 1"),),
+    )
+    assert codes(examined(flat)[1]) == found
+
+
 def test_functions_that_exist_near_the_start_only() -> None:
     """sqrt(0.01 - (x - 0.3)^2) is real within 0.1 of the start; random points far away are drawn closer."""
     flat = plane(constraint("dome", "y - 0.4 - sqrt(0.01 - (x - 0.3)^2)"))
