@@ -106,7 +106,7 @@ def _boards(stage: Stage) -> Iterator[Floats]:
 def places_of(scene: Scene, rows: Floats) -> Floats:
     """All places (n, 3) [m] of the scene along the motion, with the room around them."""
     seen = rows[:: max(1, len(rows) // _ROWS_LOOKED_AT)]
-    points: list[Floats] = []
+    points = [np.zeros((0, 3))]
     for shape in scene.shapes:
         if shape.kind == "frame":
             continue
@@ -114,10 +114,8 @@ def places_of(scene: Scene, rows: Floats) -> Floats:
         for part in (part for part in shape.parts if not part.still and part.board is None):
             places = [scene.values(seen, part.numbers[role]) for role in _ENDS if role in part.numbers]
             points += [at + side for at in places for side in (_room(scene, part, seen) if places else ())]
-    points = [each[np.all(np.isfinite(each), axis=1)] for each in points]
-    every = np.concatenate(points) if points else np.zeros((0, 3))
-    if not len(every):
-        every = np.zeros((1, 3))
+    known = [each[np.all(np.isfinite(each), axis=1)] for each in points]
+    every = np.concatenate(known if any(map(len, known)) else [np.zeros((1, 3))])
     return every if np.any(np.ptp(every, axis=0) > 0.0) else np.concatenate([every - 0.5, every + 0.5])
 
 
