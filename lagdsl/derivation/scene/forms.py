@@ -41,9 +41,9 @@ def block(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]
 
 
 def revolved(profile: Profile, around: int) -> Floats:
-    """A closed profile, turned about z."""
+    """A closed profile, turned about z, with the middle of a face at x."""
     r, z = np.array([*profile, profile[0]]).T[..., None]
-    return _net(r, _turn(around), z)
+    return _net(r, _turn(around) - np.pi / around, z)
 
 
 def _tube(angles: Floats, radii: Floats | float) -> Floats:
@@ -67,8 +67,8 @@ def _net(r: Floats, phi: Floats, z: Floats) -> Floats:
 
 def _octants(around: int) -> Floats:
     """Every second octant of a ball; its image in a plane between octants has the others."""
-    theta = np.linspace(-np.pi / 2.0, np.pi / 2.0, 2 * (around // 4) + 1)
-    faces = revolved([(math.cos(a), math.sin(a)) for a in theta], around)
+    theta = np.linspace(-np.pi / 2.0, np.pi / 2.0, 2 * (around // 4) + 1)[:, None]
+    faces = _net(np.cos(theta), _turn(around), np.sin(theta))
     return np.asarray(faces[np.prod(np.sign(faces.mean(axis=1)), axis=1) < 0.0])
 
 
@@ -85,8 +85,9 @@ def _spokes(around: int) -> Floats:
 
 
 def _marks(_: int) -> Floats:
-    """On both faces of a drum, so that one sees it turn."""
-    plates = [block((0.15, 0.85), (-0.05, 0.05), z) for z in ((0.5, 0.52), (-0.52, -0.5))]
+    """On both ends of a drum, so that one sees it turn: each within a face, their middles at one place, so that
+    whoever paints faces in the order of their depths paints the mark on its face."""
+    plates = [block((0.42, 0.9), (-0.05, 0.05), z) for z in ((0.5, 0.52), (-0.52, -0.5))]
     return _turned(np.concatenate(plates), 4)
 
 

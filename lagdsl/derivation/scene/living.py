@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-import numpy as np
-
 from lagdsl.derivation.scene.circuits import circuits
 from lagdsl.derivation.scene.drawings import drawn, is_mass_centre, is_symbol
 from lagdsl.derivation.scene.links import arms, rods, ropes, springs
 from lagdsl.derivation.scene.looks import dressed
-from lagdsl.derivation.scene.machine import Machine
+from lagdsl.derivation.scene.machine import Machine, up_of
 from lagdsl.derivation.scene.masses import bodies, have_inertia, levers, masses
 from lagdsl.derivation.scene.shapes import Scene, scene_with
 from lagdsl.derivation.scene.surroundings import frames, gauges, grounds, is_planar, loads, supports, tracks
@@ -71,10 +69,10 @@ def scene_of(flat: fm.FlatModel) -> Scene:
             shapes += rule(machine)
     shapes += [*gauges(machine, shapes), *frames(machine)]
     planar = is_planar(machine, shapes)
-    up = np.array([0.0, 1.0, 0.0] if planar else [0.0, 0.0, 1.0]) if machine.down is None else -machine.down
+    up = up_of(flat, planar=planar)
     solid = dressed(shapes, planar)
-    solid += dressed(supports(machine, solid, up), planar)
-    diagram = circuits(machine, scene_with(solid, planar=planar), np.array([0.0, 1.0, 0.0]) if planar else up)
+    solid += dressed(supports(machine, solid, up if machine.down is None else -machine.down), planar)
+    diagram = circuits(machine, scene_with(solid, planar=planar), up)
     return scene_with((*solid, *diagram), planar=planar)
 
 

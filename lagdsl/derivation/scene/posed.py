@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from lagdsl.derivation.scene.forms import coil
-from lagdsl.derivation.scene.shapes import Part, Size, Value
+from lagdsl.derivation.scene.shapes import UPRIGHT, Part, Size, Value, axes_along
 from lagdsl.derivation.scene.stage import Stage
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -42,7 +42,7 @@ class Posed:
         """The axis: to the other end, along z."""
         if "to" in self.part.numbers:
             return np.asarray(self.vector("to") - self.vector("at"))
-        return self.vector("z") if "z" in self.part.numbers else np.array([0.0, 0.0, 1.0])
+        return self.vector("z") if "z" in self.part.numbers else UPRIGHT
 
     def value(self, value: Value) -> Floats:
         return self.stage.scene.values(self.stage.rows[self.row], value)
@@ -78,18 +78,6 @@ class Posed:
     def line(self) -> Floats:
         """Points (n, 3)."""
         return placed(coil(), self.matrix()) if self.part.form == "coil" else self.value(self.part.points)
-
-
-def axes_along(way: Floats, about: Floats | None) -> tuple[Floats, Floats, Floats]:
-    """Unit axes: z along a way, x as near as may be to a direction, else across the vertical z (y where z is that)."""
-    size = float(np.linalg.norm(way))
-    z = way / size if size > 0.0 else np.array([0.0, 0.0, 1.0])
-    upright = np.array([0.0, 1.0, 0.0]) if abs(z[2]) > 0.9 else np.array([0.0, 0.0, 1.0])
-    x = np.cross(upright, z) if about is None else about - (about @ z) * z
-    if np.linalg.norm(x) < 1e-6:
-        x = np.cross(upright, z)
-    x = x / np.linalg.norm(x)
-    return x, np.cross(z, x), z
 
 
 def placed(unit: Floats, matrix: Floats) -> Floats:

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field
 from typing import Literal, TypeAlias
 
+import numpy as np
+
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
@@ -36,6 +38,9 @@ _VECTORS = (
     *(fx.Vector, fx.PointReference, fx.FrameOrigin, fx.FrameAxis, fx.AngularVelocity, fx.MaterialVelocity),
     *(fx.Cross, fx.LinearMomentum, fx.AngularMomentum, fx.FrameReaction, fx.AdmissibleMotion),
 )
+
+
+UPRIGHT = np.array([0.0, 0.0, 1.0])
 
 
 @record()
@@ -141,6 +146,18 @@ def _scalars(value: Value) -> tuple[fx.FlatExpression, ...]:
     if isinstance(value, tuple):
         return tuple(scalar for each in value for scalar in _scalars(each))
     return tuple(fx.Component(value, axis) for axis in range(3)) if is_vector(value) else (value,)
+
+
+def axes_along(way: Floats, about: Floats | None) -> tuple[Floats, Floats, Floats]:
+    """Unit axes (..., 3): z along a way, x as near as may be to a direction, else across the vertical z (y where z is
+    that)."""
+    size = np.linalg.norm(way, axis=-1, keepdims=True)
+    z = np.where(size > 0.0, way / np.where(size > 0.0, size, 1.0), UPRIGHT)
+    free = np.cross(np.where(np.abs(z[..., 2:]) > 0.9, [0.0, 1.0, 0.0], UPRIGHT), z)
+    x = free if about is None else about - np.sum(about * z, axis=-1, keepdims=True) * z
+    x = np.where(np.linalg.norm(x, axis=-1, keepdims=True) < 1e-6, free, x)
+    x = x / np.linalg.norm(x, axis=-1, keepdims=True)
+    return x, np.cross(z, x), z
 
 
 def is_vector(expression: fx.FlatExpression) -> bool:

@@ -9,8 +9,8 @@ from dataclasses import field, replace
 import numpy as np
 
 from lagdsl.derivation.scene.drawings import meshes_of
-from lagdsl.derivation.scene.forms import COARSE, FINE, form
-from lagdsl.derivation.scene.shapes import Part, Scene
+from lagdsl.derivation.scene.forms import COARSE, FINE, triangles
+from lagdsl.derivation.scene.shapes import UPRIGHT, Part, Scene, axes_along
 from lagdsl.foundation.meshes.triangles import Triangles
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
@@ -25,7 +25,6 @@ BOARD = 0.16
 
 _SIDES = 12
 _ENDS = ("at", "to")
-_X, _Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
 _EQUAL = 0.05
 _REACH = 0.85  # of a board
 
@@ -107,39 +106,35 @@ def _boards(stage: Stage) -> Iterator[Floats]:
 def places_of(scene: Scene, rows: Floats) -> Floats:
     """All places (n, 3) [m] of the scene along the motion, with the room around them."""
     seen = rows[:: max(1, len(rows) // _ROWS_LOOKED_AT)]
-    points: list[Floats] = []
+    points = [np.zeros((0, 3))]
     for shape in scene.shapes:
         if shape.kind == "frame":
             continue
         points += [scene.values(seen, shape.numbers[role]) for role in _ENDS if role in shape.numbers]
         for part in (part for part in shape.parts if not part.still and part.board is None):
             places = [scene.values(seen, part.numbers[role]) for role in _ENDS if role in part.numbers]
-            room = _room(scene, part, seen) if places else np.zeros(3)
-            points += [at + side for at in places for side in (-room, room)]
-    points = [each[np.all(np.isfinite(each), axis=1)] for each in points]
-    every = np.concatenate(points) if points else np.zeros((0, 3))
-    if not len(every):
-        every = np.zeros((1, 3))
+            points += [at + side for at in places for side in (_room(scene, part, seen) if places else ())]
+    known = [each[np.all(np.isfinite(each), axis=1)] for each in points]
+    every = np.concatenate(known if any(map(len, known)) else [np.zeros((1, 3))])
     return every if np.any(np.ptp(every, axis=0) > 0.0) else np.concatenate([every - 0.5, every + 0.5])
 
 
-def _room(scene: Scene, part: Part, rows: Floats) -> Floats:
-    """Around the places of a part with sizes of its own, along the axes of the world (rows, 3) [m]."""
+def _room(scene: Scene, part: Part, rows: Floats) -> tuple[Floats, ...]:
+    """Of a part with sizes of its own, from its place to the ends of the box around it, along the axes of the world
+    (rows, 3) [m]."""
     unknown = part.primitive != "surface" or part.form == "file" or part.scale
-    if unknown or any(size.relative for size in part.sizes[:2]):
-        return np.zeros(3)
-    numbers = part.numbers
+    if unknown or any(size.relative for size in part.sizes[: 3 - ("to" in part.numbers)]):
+        return (np.zeros(3),)
     values = (1.0 if size.value is None else scene.values(rows, size.value) for size in part.sizes)
-    factors = [np.abs(size.factor * value) for size, value in zip(part.sizes, values, strict=True)]
-    halves = [each * half for each, half in zip(factors, np.abs(form(part.form)).max(axis=(0, 1)), strict=True)]
-    if "to" in numbers or ("x" in numbers) != ("z" in numbers):
-        return np.reshape(
-            np.max(np.broadcast_arrays(*halves[: 2 if "to" in numbers else 3]), axis=0), (-1, 1)
-        ) + np.zeros(3)
-    x, z = (scene.values(rows, numbers[role]) if role in numbers else unit for role, unit in (("x", _X), ("z", _Z)))
-    return np.asarray(
-        sum(np.abs(axis) * np.reshape(half, (-1, 1)) for axis, half in zip((x, np.cross(z, x), z), halves, strict=True))
+    sizes = [np.reshape(size.factor * value, (-1, 1)) for size, value in zip(part.sizes, values, strict=True)]
+    own = {role: scene.values(rows, value) for role, value in part.numbers.items()}
+    if "to" in own:
+        own["z"], sizes[2] = own["to"] - own["at"], np.zeros((1, 1))
+    axes = zip(axes_along(own.get("z", UPRIGHT), own.get("x")), sizes, strict=True)
+    corners = (
+        np.stack(np.broadcast_arrays(*(axis * size for axis, size in axes)), axis=-1) @ triangles(part.form).points.T
     )
+    return corners.min(axis=-1), corners.max(axis=-1)
 
 
 def _facing(scene: Scene, up: Floats, points: Floats) -> tuple[Floats, Floats, Floats]:

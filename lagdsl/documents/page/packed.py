@@ -72,7 +72,5 @@ def packed(mesh: Triangles) -> PackedMesh:
 
 
 def _words(files: Sequence[str]) -> str:
-    if not files:
-        return ""
     names = ", ".join(dict.fromkeys(files[:_MOST_NAMED])) + (", and others" if len(files) > _MOST_NAMED else "")
-    return f"Not drawn, for want of a file with a mesh: {names}."
+    return f"Not drawn, for want of a file with a mesh: {names}." if files else ""

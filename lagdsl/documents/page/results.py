@@ -51,7 +51,8 @@ def results_page(
         kept = np.unique(np.linspace(0, len(times) - 1, _MOST_ROWS).round().astype(int))
         times, values = times[kept], {name: each[kept] for name, each in values.items()}
     p = parameters_of(prepared.engine.layout, Wishes(parameters=wishes.parameters))
-    made = recording_of(prepared, _points(prepared, times, values, p), "file", _twice(times))
+    events = np.unique(times[1:][np.diff(times) == 0.0]).tolist()  # times that stand in two rows: before and after one
+    made = recording_of(prepared, _points(prepared, times, values, p), "file", events)
     motion = _as_recorded(prepared, made.motion, values)
     said = f"Recorded in {path.name}; nothing is integrated here."
     if flat.inputs:
@@ -90,11 +91,6 @@ def _points(prepared: Prepared, times: Floats, values: Mapping[str, Floats], p: 
     w[:, : known.shape[1]] = known
     rows = zip(times.tolist(), q, qd, z, w, strict=True)
     return [Point(t=t, q=q, qd=qd, z=z, u=u, w=w, p=p) for t, q, qd, z, w in rows]
-
-
-def _twice(times: Floats) -> tuple[float, ...]:
-    """Times that stand in two rows: before and after an event."""
-    return tuple(np.unique(times[1:][np.diff(times) == 0.0]).tolist())
 
 
 def _as_recorded(prepared: Prepared, motion: Trajectory, values: Mapping[str, Floats]) -> Trajectory:

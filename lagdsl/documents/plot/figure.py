@@ -207,23 +207,24 @@ def _draw_over_time(
             _draw_runs(side, bundle, np.broadcast_to(bundle.time, curve.values.shape), curve, drawn)
             drawn += 1
         label = kind + in_brackets(group[0].unit, "\n") if kind and len(group) > 1 else _axis_label(group)
-        side.set_ylabel(label, color=_ink(bundle, groups, drawn - len(group)))
+        own = bundle.variation is None and twin is not None and len(group) == 1
+        side.set_ylabel(label, color=side.lines[0].get_color() if own else DARK)
         side.margins(y=0.08)
         _calm(side, group)
         side.ticklabel_format(axis="y", useOffset=False)
     if twin is not None:
         twin.grid(visible=False)
         twin.spines["right"].set_visible(True)
-    lines = [line for side in (panel, twin) if side is not None for line in side.lines]
-    if drawn > 1 and kind:
+    if drawn > 1:
+        runs = 1 if bundle.variation is None else len(bundle.variation.values)
+        lines = [line for side in (panel, twin) if side is not None for line in side.lines[::runs]]
         left_out = f"and {more} more" if more > 0 else None
-        panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.03), title=left_out, fontsize=8, handlelength=1.6)
-    elif drawn > 1 and bundle.variation is None:
-        panel.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, fontsize=8, handlelength=1.6)
-    elif drawn > 1:  # dashes tell the columns, because colors tell the runs
-        names = [escaped(curve.name) for group in groups for curve in group]
-        styles = [(DARK, LINES[k % len(LINES)]) for k in range(drawn)]
-        panel.legend(handles=_handles(names, styles), loc="upper right", fontsize=8, handlelength=2.2)
+        aside: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.03), "title": left_out}
+        above: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "ncols": 5}
+        legend = panel.legend(handles=lines, fontsize=8, handlelength=1.6, **(aside if kind else above))
+        if runs > 1:  # dashes tell the columns, because colors tell the runs
+            for line in legend.get_lines():
+                line.set_color(DARK)
     if len(bundle.time) > 1:
         panel.set_xlim(float(bundle.time[0]), float(bundle.time[-1]))
         mark_events(panel, bundle.events, float(bundle.time[-1] - bundle.time[0]))
@@ -237,55 +238,40 @@ def _calm(panel: Axes, curves: Sequence[Curve]) -> None:
         panel.set_ylim(middle - 1e-3 * size, middle + 1e-3 * size)
 
 
-def _ink(bundle: Bundle, groups: Sequence[Sequence[Curve]], first: int) -> str:
-    """Color of the label of an axis: that of its curve where each of two axes has one."""
-    if bundle.variation is None and len(groups) > 1 and all(len(group) == 1 for group in groups):
-        return COLORS[first % len(COLORS)]
-    return DARK
-
-
-def _handles(names: Sequence[str], styles: Sequence[tuple[Any, Any]]) -> list[Any]:
-    """Of a legend: a line for each name, by its color and its dashes."""
-    from matplotlib.lines import Line2D
-
-    return [Line2D([], [], color=c, linestyle=s, label=name) for name, (c, s) in zip(names, styles, strict=True)]
-
-
-def _draw_runs(panel: Axes, bundle: Bundle, x: Floats, curve: Curve, index: int) -> None:
+def _draw_runs(panel: Axes, bundle: Bundle, x: Floats, curve: Curve, index: int, **more: Any) -> None:
     """Of a motion the curve in a color of its own; of a sweep a curve for each run."""
     if bundle.variation is None:
         colors, style = [COLORS[index % len(COLORS)]], LINES[index // len(COLORS) % len(LINES)]
     else:
         colors, style = bundle.variation.colors(), LINES[index % len(LINES)]
     width, alpha = (1.4, 1.0) if len(colors) <= 20 else (0.8, 0.7)
+    same: dict[str, Any] = {
+        "linestyle": style,
+        "linewidth": width,
+        "alpha": alpha,
+        "label": escaped(curve.name),
+        **more,
+    }
     for right, up, color in zip(x, curve.values, colors, strict=True):
-        panel.plot(right, up, color=color, linestyle=style, linewidth=width, alpha=alpha, label=escaped(curve.name))
+        panel.plot(right, up, color=color, **same)
 
 
 def _draw_paths(panel: Axes, bundle: Bundle, pairs: Sequence[tuple[Curve, Curve]]) -> None:
+    """With a dot at each start and crosses at events, just before and just after which rows stand."""
+    rows = np.isin(bundle.time, bundle.events[:_MOST_DOTS])
     for index, (right, up) in enumerate(pairs):
-        _draw_runs(panel, bundle, right.values, up, index)
-        starts = panel.lines[-len(up.values) :]
-        for line, x, y in zip(starts, right.values, up.values, strict=True):
-            panel.plot(x[:1], y[:1], "o", color=line.get_color(), markersize=4)
-        _dot_events(panel, bundle, right, up)
+        _draw_runs(panel, bundle, right.values, up, index, marker="o", markevery=[0], markersize=4)
+        panel.plot(right.values[0, rows], up.values[0, rows], "x", color="#666666", markersize=4, zorder=3)
     rights, ups = [list({curve.name: curve for curve in side}.values()) for side in zip(*pairs, strict=True)]
     panel.set_xlabel(_axis_label(rights, between=" "))
     panel.set_ylabel(_axis_label(ups))
     panel.margins(0.06)
     panel.locator_params(axis="x", nbins=_TICKS)
     if len(pairs) > 1 and bundle.variation is None:
-        panel.legend(handles=panel.lines[: 2 * len(pairs) : 2], fontsize=8)
+        panel.legend(handles=panel.lines[::2], fontsize=8)
     units = {curve.unit for curve in (*rights, *ups)}
     if len(units) == 1 and units <= {"m", "cm", "mm", "km"}:  # a path in space keeps its shape
         panel.set_aspect("equal", adjustable="datalim")
-
-
-def _dot_events(panel: Axes, bundle: Bundle, right: Curve, up: Curve) -> None:
-    """Places of the events; rows stand just before and just after each of them."""
-    for time in bundle.events[:_MOST_DOTS]:
-        rows = np.flatnonzero(bundle.time == time)
-        panel.plot(right.values[0, rows], up.values[0, rows], "x", color="#666666", markersize=4, zorder=3)
 
 
 def _axis_label(curves: Sequence[Curve], between: str = "\n") -> str:
@@ -299,9 +285,9 @@ def _tell_runs(figure: Figure, panels: Sequence[Axes], bundle: Bundle) -> None:
     variation = bundle.variation
     if variation is None:
         return
-    if variation.few:
-        handles = _handles([*map(escaped, variation.words)], [(color, "-") for color in variation.colors()])
-        figure.legend(handles=handles, loc="outside right upper", fontsize=8)
+    if variation.few:  # runs of the first curve
+        words = [*map(escaped, variation.words)]
+        figure.legend(panels[0].lines[: len(words)], words, loc="outside right upper", fontsize=8)
         return
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize

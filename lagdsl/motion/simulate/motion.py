@@ -55,6 +55,7 @@ class Asked:
     max_steps: int
     controls: Controls | None = None
     tangents: tuple[str, ...] = ()
+    extremes: bool = True
 
 
 @record(kw_only=True)

@@ -57,6 +57,7 @@ def simulate(
     max_steps: int = MOST_STEPS,
     control: Sequence[Control] = (),
     tangents: Sequence[str] = (),
+    extremes: bool = True,
     read: Callable[[str, object], float] = _number,
     progress: Callable[[float], None] | None = None,
     sink: Sink | None = None,
@@ -67,9 +68,10 @@ def simulate(
     `p` are the independent parameters, `inputs` constants, functions of time or (times, values) by name, `start`
     further start values; SI units. `step` is the length of the steps of rk4, leapfrog and ros2. The controllers of
     `control` set inputs on the way; `read` makes a number of a value that they give an input by name.
-    `tangents` names what the motion is differentiated by. `progress` is called with the part of the time that is done.
-    An error before the first step raises CompilationFailed (warnings go to `sink`), a failure on the way
-    SimulationFailed, a bad option ValueError.
+    `tangents` names what the motion is differentiated by. Without `extremes` nobody looks between rows for the lowest
+    and highest values of columns, nor counts where they turn around: for many outputs that costs more than the motion.
+    `progress` is called with the part of the time that is done. An error before the first step raises CompilationFailed
+    (warnings go to `sink`), a failure on the way SimulationFailed, a bad option ValueError.
     """
     experiment = flat.experiment
     t0 = experiment.start_time
@@ -109,6 +111,7 @@ def simulate(
             max_steps=max_steps,
             controls=controls,
             tangents=tuple(tangents),
+            extremes=extremes,
         )
         if times is not None:
             return _Finer(asked, (t0, end)).made(times, progress, own)
@@ -212,6 +215,8 @@ def _motion(
         solver=asked.solver,
         step=asked.step,
     )
+    if not asked.extremes:
+        run.results.structure.extremes = None
     u = inputs if isinstance(inputs, np.ndarray) else given.at(t0)
     initial = find_start(flat, engine, run, t0, u, asked.start, sink)
     sink.raise_if_errors()

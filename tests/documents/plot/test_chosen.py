@@ -62,10 +62,10 @@ def test_a_third_unit_and_every_further_text_open_a_panel() -> None:
 def test_a_phase_portrait_has_columns_on_both_axes_and_marks_its_start_and_events() -> None:
     (panel,) = plot_of(trajectory(ANGLE, SPIN, events=bounces(float(T[50]))), xy=("theta", "der(theta)")).axes
     assert (panel.get_xlabel(), panel.get_ylabel()) == ("theta [deg]", "der(theta)\n[rad/s]")
-    path, start, event = panel.lines
+    path, event = panel.lines
     radius = (path.get_xdata() / np.rad2deg(1.0)) ** 2 + (path.get_ydata() / 5.0) ** 2
     assert np.abs(radius - 1.0).max() < 1e-12
-    assert start.get_xdata() == [0.0]
+    assert path.get_marker() == "o" and path.get_markevery() == [0]
     assert event.get_xdata() == pytest.approx(np.rad2deg(np.sin(5 * T[50])))
 
 

@@ -11,7 +11,12 @@ from choice import engines
 import lagdsl
 from lagdsl.documents.plot.terminal import sketch
 from lagdsl.engines.runtime.engines.engine import EngineName
+from lagdsl.engines.runtime.engines.selection import engine_of
+from lagdsl.foundation.diagnostics import Sink
+from lagdsl.foundation.source import SourceFile
 from lagdsl.interfaces.cli.summary import summary
+from lagdsl.motion.pipeline import compile_flat, flatten_file
+from lagdsl.motion.simulate.simulate import simulate
 
 FAST = """
 model Fast "100 Hz, and half a kilohertz of current"
@@ -65,6 +70,21 @@ def test_rows_that_hide_the_motion_are_told() -> None:
     (note,) = motion.statistics.notes
     assert note.startswith("the rows do not show `x`, which turns around 1000 times: they are 0.1 s apart, ")
     assert not lagdsl.compile(FAST).simulate(interval=1e-3, stop=1.0).statistics.notes
+
+
+def test_who_wants_no_extremes_has_the_same_rows_and_theirs() -> None:
+    """Pictures have many outputs and look at rows alone."""
+    apart = "  coordinate Length y(start = 1 m);\n  kinetic 1/2*(1 kg)*der(y)^2;\n"  # an island of its own
+    for text in (FAST, FAST.replace("  output", f"{apart}  output")):
+        flat = flatten_file(SourceFile("fast.lag", text), Sink())
+        made = None if flat is None else compile_flat(flat, Sink())
+        assert made is not None
+        engine = engine_of(made.program)
+        whole, rows = (simulate(engine, made.flat, stop=1.0, interval=0.07, extremes=each) for each in (True, False))
+        for one, other in zip(whole.columns, rows.columns, strict=True):
+            assert np.array_equal(one.values, other.values)
+            assert (other.lowest, other.highest) == (np.min(one.values), np.max(one.values))
+        assert whole.columns[1].lowest < rows.columns[1].lowest
 
 
 def test_drawings_show_what_rows_do_not() -> None:

@@ -109,7 +109,14 @@ def _faces(view: View, part: Faces) -> tuple[Floats, Floats, Floats]:
     front = (ax * by - ay * bx > 0.0) if part.closed else np.ones(len(places), dtype=bool)
     shades = np.broadcast_to(part.color, (len(places), 3)) if part.flat else _lit(part.color, normals)
     inks = np.concatenate([shades, np.full((len(places), 1), part.opacity)], axis=1)
-    return places[front], inks[front], depth.mean(axis=1)[front]
+    return places[front], inks[front], _middles(part.corners, depth)[front]
+
+
+def _middles(corners: Floats, depth: Floats) -> Floats:
+    """Depths (n,) of the centres of area of faces, whatever corner a triangle has twice."""
+    one, other = corners[:, 1:3] - corners[:, :1], corners[:, 2:] - corners[:, :1]
+    areas = np.linalg.norm(np.cross(one, other), axis=2) + 1e-300
+    return np.asarray(np.average((depth[:, :1] + depth[:, 1:3] + depth[:, 2:]) / 3.0, axis=1, weights=areas))
 
 
 def _lit(color: Color, normals: Floats) -> Floats:

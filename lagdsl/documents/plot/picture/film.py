@@ -97,11 +97,8 @@ def _rows_at(made: Recording, times: Sequence[float]) -> list[int]:
 
 
 def _row_at(times: Floats, time: float) -> int:
-    """The last row at a time, which is the one after an event."""
-    close = 1e-9 * float(times[-1] - times[0])
-    after = int(np.searchsorted(times, time + close, side="right"))
-    before = max(after - 1, 0)
-    return after if after < len(times) and abs(times[after] - time) < abs(times[before] - time) else before
+    """The nearest row; of those at the time of an event the last one, which is after it."""
+    return len(times) - 1 - int(np.argmin(np.abs(times[::-1] - time)))
 
 
 def _pixels(picture: Drawn) -> Image:

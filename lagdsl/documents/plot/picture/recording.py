@@ -93,6 +93,7 @@ def recorded(prepared: Prepared, wishes: Wishes, rows: int, sink: Sink | None = 
             tolerance=tolerance,
             p=p,
             inputs=wishes.inputs,
+            extremes=False,
             sink=sink,
         )
     except SimulationFailed as failure:

@@ -183,8 +183,7 @@ def _coordinate(sheet: _Sheet, found: Pose, label: Box, item: fm.Coordinate, num
         return
     begin_at = at(-value)
     long = np.linalg.norm(place - begin_at) > 0.08 * sheet.size
-    start = begin_at if long else place
-    end = place if long else place + rate / speed * _LENGTHS["coordinate"] * sheet.size
+    start, end = (begin_at, place) if long else (place, place + rate / speed * _LENGTHS["coordinate"] * sheet.size)
     side = np.cross(end - start, [0.0, 0.0, 1.0])
     size = float(np.linalg.norm(side))
     shift = side / size * (0.07 + 0.05 * number) * sheet.size if size > 0 else np.zeros(3)

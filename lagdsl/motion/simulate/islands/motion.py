@@ -29,7 +29,7 @@ def motion_of_islands(task: Task) -> tuple[Trajectory, list[float]] | None:
     if not pieces:
         return None
     breaks = [b for b in asked.signals.breaks if b > float(task.times[0])]
-    runs = Runs(pieces, breaks, asked.max_steps)
+    runs = Runs(pieces, breaks, asked.max_steps, extremes=asked.extremes)
     results = runs.results(task.progress)
     return None if results is None else _Joined(task, pieces, results, runs).found()
 

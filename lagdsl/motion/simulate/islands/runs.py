@@ -37,10 +37,11 @@ class IslandResult:
 
 
 class Runs:
-    """The runs of all `pieces` of a motion; inputs may jump at `breaks`, each run takes at most `most` steps."""
+    """The runs of all `pieces` of a motion; inputs may jump at `breaks`, each run takes at most `most` steps. Without
+    `extremes` nobody looks between rows."""
 
-    def __init__(self, pieces: Sequence[Piece], breaks: Sequence[float], most: int) -> None:
-        self._pieces, self._breaks, self._most = pieces, breaks, most
+    def __init__(self, pieces: Sequence[Piece], breaks: Sequence[float], most: int, *, extremes: bool) -> None:
+        self._pieces, self._breaks, self._most, self._extremes = pieces, breaks, most, extremes
 
     def results(self, told: Callable[[float], None] | None) -> list[IslandResult] | None:
         """Of all islands; None where one of them ends early, loses rank at its start or has an output that is no
@@ -77,6 +78,8 @@ class Runs:
         layout = piece.engine.layout
         relations, outputs = len(layout.instants.strict), len(layout.outputs)
         run = run_of(piece.engine.native, layout, settings, piece.engine.along)
+        if not self._extremes:
+            run.results.structure.extremes = None
         run.know(first, piece.row_sizes, piece.dependent)
         stepping = Stepping(piece.engine, run, (first, last), self._most)
         status = run.begin(first, piece.x)

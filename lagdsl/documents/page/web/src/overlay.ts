@@ -2,6 +2,7 @@
 import type { Group } from "three";
 import type { Head, Shape } from "./head.ts";
 import type { Motion } from "./motion.ts";
+import { written } from "./numbers.ts";
 import { drawn as made, vector, type Drawn, type Numbers, type Sizes } from "./shapes.ts";
 
 export type Vectors = NonNullable<Head["vectors"]>;
@@ -112,7 +113,7 @@ export class Overlay {
       const [{ kind }] = shapes;
       if (!seen(kind, this.on) || scales.force === 0) continue;
       const unit = unitOf(shapes[0]) === "1" ? "" : ` ${unitOf(shapes[0])}`;
-      const size = `${sizeText((LONGEST * this.sizes.length) / scales.force)}${unit}`;
+      const size = `${written((LONGEST * this.sizes.length) / scales.force, 3)}${unit}`;
       const names = [...new Set(shapes.flatMap(({ texts }) => texts.coordinate ?? []))].filter((name) => ["", name].includes(this.coordinate));
       if (kind === "admissible") moving.push(...names.map((name) => `∂r/∂${this.greek(name)}: ${size}`));
       else lines.push(`${kind}: longest ${size}`);
@@ -135,7 +136,7 @@ export class Overlay {
     if (mode === "open") return mode;
     const at = first + shape.numbers.value;
     const size = Math.hypot(...this.numbers.subarray(at, at + Number(shape.texts.components)));
-    return `${mode}, ${sizeText(size > ROUNDING * this.largest ? size : 0)} ${unitOf(shape)}`;
+    return `${mode}, ${written(size > ROUNDING * this.largest ? size : 0, 3)} ${unitOf(shape)}`;
   }
 }
 
@@ -143,11 +144,7 @@ function unitOf(shape: Shape): string {
   return shape.texts.unit ?? UNITS[shape.kind] ?? "N";
 }
 
-function sizeText(value: number): string {
-  return Number(value.toPrecision(3)).toString();
-}
-
 /** The length of the vector behind an arrow, with its unit. */
 export function lengthOf(shape: Shape, row: Numbers): string {
-  return `${sizeText(vector(shape.numbers, "vector", row).length())} ${unitOf(shape)}`;
+  return `${written(vector(shape.numbers, "vector", row).length(), 3)} ${unitOf(shape)}`;
 }
