@@ -97,14 +97,18 @@ def equations_pattern(program: Program) -> EquationsPattern:
     nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
     if program.has("load") or not nq + nz:
         return EquationsPattern()
-    rows, columns = _entries_of_equations(program)
     state, count = 2 * nq + nz, nq + nz + nc
+    found = _symbols_of_equations(program)
+    half = (_coupled(found[:nq], state) + 1) // 2
+    if not _is_worth_it(count, half, half, nq + nz):  # long lists and orders of entries are for nothing
+        return EquationsPattern()
+    rows, columns = _entries_of_equations(program, found)
     unknowns = np.concatenate([np.arange(nq), np.arange(nq + nz), np.arange(nq), np.arange(nq + nz, count)])[columns]
     order = reverse_cuthill_mckee(count, zip(rows.tolist(), unknowns.tolist(), strict=True))
     places = np.argsort(order)
     offsets = places[unknowns] - places[rows]
     lower, upper = int(np.max(-offsets, initial=0)), int(np.max(offsets, initial=0))
-    if not len(rows) or 3 * _WORTH_A_BAND * count * lower * (lower + upper + 1) > (nq + nz) ** 3:
+    if not len(rows) or not _is_worth_it(count, lower, upper, nq + nz):
         return EquationsPattern()
     of_state = columns < state
     of_values = ~of_state & ((rows >= nq) & (rows < nq + nz) | (rows < nq) & (columns < state + nq))
@@ -116,15 +120,38 @@ def equations_pattern(program: Program) -> EquationsPattern:
     )
 
 
-def _entries_of_equations(program: Program) -> tuple[Indices, Indices]:
-    """Rows and columns, row by row."""
+def _is_worth_it(count: int, lower: int, upper: int, dense: int) -> bool:
+    """True if elimination of so many rows in this band is much shorter than that of a dense matrix."""
+    return 3 * _WORTH_A_BAND * count * lower * (lower + upper + 1) <= dense**3
+
+
+def _coupled(motion: Sequence[Indices], state: int) -> int:
+    """With so many others the row of motion with most accelerations is coupled by accelerations of both: half of them
+    lie on one side of it in any order, and so on both sides of the diagonal."""
+    accelerations = [own[(own >= state) & (own < state + len(motion))] - state for own in motion]
+    longest = max(range(len(motion)), key=lambda row: len(accelerations[row]), default=0)
+    return sum(
+        other != longest and bool(np.any(accelerations[other] == longest))
+        for other in (accelerations[longest].tolist() if accelerations else ())
+    )
+
+
+def _symbols_of_equations(program: Program) -> list[Indices]:
+    """The columns of each row."""
     graph, layout = program.graph, program.layout
-    nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
-    state, width = 2 * nq + nz, 3 * nq + nz + nc
+    nq, nz = len(layout.coordinates), len(layout.states)
+    state = 2 * nq + nz
     first = {Group.Q: 0, Group.QD: nq, Group.Z: 2 * nq, Group.QDD: state, Group.LAMBDA: state + nq}
     motion, constraints = program.function("residual").results
     rates = program.function("state_derivative").results[0]
-    found = dependences(graph, [*motion.elements, *rates.elements, *constraints.elements], first)
+    return dependences(graph, [*motion.elements, *rates.elements, *constraints.elements], first)
+
+
+def _entries_of_equations(program: Program, found: Sequence[Indices]) -> tuple[Indices, Indices]:
+    """Rows and columns, row by row, and those of J."""
+    layout = program.layout
+    nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
+    state, width = 2 * nq + nz, 3 * nq + nz + nc
     own = np.repeat(np.arange(len(found)), [len(row) for row in found]) * width + np.concatenate(found)
     rows, columns = (np.array(numbers, dtype=np.intp) for numbers in jacobian_pattern(program))
     of_rows, of_multipliers = (nq + nz + rows) * width + state + columns, columns * width + state + nq + rows

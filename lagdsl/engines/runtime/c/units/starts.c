@@ -166,11 +166,13 @@
 #undef open_parts
 
 #define TRIES initial_ranks_TRIES
-#define keep initial_ranks_keep
+#define find_parts initial_ranks_find_parts
+#define gather initial_ranks_gather
 #define place initial_ranks_place
 #include "lag/initial/initial_ranks.c"
 #undef TRIES
-#undef keep
+#undef find_parts
+#undef gather
 #undef place
 
 #define find_parts initial_rates_find_parts
@@ -181,9 +183,7 @@
 
 #include "lag/initial/initial_rates_branch.c"
 
-#define keep initial_row_sizes_keep
 #include "lag/initial/initial_row_sizes.c"
-#undef keep
 
 #define find_parts initial_scaling_find_parts
 #define find_rows initial_scaling_find_rows

@@ -28,18 +28,20 @@ void lag_joint_count_excess(const lag_joint_parts *t, lag_joint *joint)
     lag_initialization *b = joint->b;
     double *memory = t->memory;
     double *matrix = lag_take(&memory, joint->all_rows * joint->all);
-    double *residual = lag_take(&memory, joint->all);
+    double *room = lag_take(&memory, lag_parts_memory(joint->all_rows, joint->all));
     lag_joint_put(joint, t->best);
     memcpy(joint->origin, joint->at, joint->all * sizeof(double));
     lag_fill(joint->all, 0.0, t->best);
-    lag_joint_evaluate(joint, t->best, joint->one, matrix);
-    const size_t part = lag_initialization_rank(joint->rows, joint->count, matrix, residual);
+    const lag_parts chosen = lag_parts_of(joint->rows, joint->count, NULL, room);
+    lag_joint_evaluate(joint, &chosen, t->best, joint->one, matrix);
+    const size_t part = lag_initialization_rank(joint->rows, joint->count, matrix, memory);
     joint->count = joint->all;
     for (size_t k = 0; k < joint->all; ++k) {
         joint->free[k] = (double)k;
     }
-    lag_joint_evaluate(joint, t->best, joint->one, matrix);
-    const size_t whole = lag_initialization_rank(joint->rows, joint->all, matrix, residual);
+    const lag_parts all = lag_parts_of(joint->rows, joint->all, NULL, room);
+    lag_joint_evaluate(joint, &all, t->best, joint->one, matrix);
+    const size_t whole = lag_initialization_rank(joint->rows, joint->all, matrix, memory);
     b->told.excess = whole > part ? whole - part : 0;
     b->told.general = joint->all - whole;
 }
@@ -50,9 +52,10 @@ void lag_joint_find_undecided(const lag_joint_parts *t, lag_joint *joint)
     const size_t size = lag_motion_size(b->motion->model);
     double *memory = t->memory;
     double *matrix = lag_take(&memory, joint->rows * joint->count);
+    const lag_parts whole = lag_parts_of(joint->rows, joint->count, NULL, lag_take(&memory, lag_parts_memory(joint->rows, joint->count)));
     double *chosen = t->trial;
     lag_fill(joint->all, 0.0, chosen);
-    lag_joint_evaluate(joint, t->best, joint->one, matrix);
+    lag_joint_evaluate(joint, &whole, t->best, joint->one, matrix);
     const lag_svd svd = lag_svd_of(joint->rows, joint->count, matrix, memory);
     const size_t rank = lag_svd_rank(&svd, LAG_ROUGH_RANK);
     for (size_t k = 0; k < joint->count; ++k) {

@@ -23,7 +23,8 @@ static void find_slopes(const lag_joint_parts *t, lag_joint *joint)
         joint->free[joint->count++] = (double)k;
     }
     lag_fill(n, 0.0, t->trial);
-    lag_joint_evaluate(joint, t->trial, joint->one, t->slopes);
+    const lag_parts whole = lag_parts_of(joint->rows, joint->count, NULL, t->memory);
+    lag_joint_evaluate(joint, &whole, t->trial, joint->one, t->slopes);
     for (size_t k = 0; k < model->ne * n; ++k) {
         const size_t row = joint->all_rows - model->ne + k / n;
         const size_t rate = n + k % n;
@@ -49,11 +50,11 @@ static double correct(const lag_joint_parts *t, lag_joint *joint)
     joint->count = count;
     double *room = lag_take(&memory, lag_parts_memory(joint->rows, joint->count));
     const lag_parts parts = lag_joint_parts_of(joint, memory, room);
-    const lag_equations equations = {joint->rows, joint->count, lag_joint_evaluate, joint};
-    lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, memory);
+    const lag_equations equations = {lag_joint_evaluate, joint};
+    lag_levenberg_marquardt_place(&minimizer, &parts, memory);
     lag_fill(count, 0.0, t->trial);
-    lag_joint_evaluate(joint, t->trial, minimizer.residual, minimizer.jacobian);
-    if (lag_levenberg_marquardt_size(&minimizer, &equations) > LAG_JOINT_TARGET) {
+    lag_joint_evaluate(joint, &parts, t->trial, minimizer.residual, minimizer.jacobian);
+    if (lag_levenberg_marquardt_size(&minimizer, &parts) > LAG_JOINT_TARGET) {
         lag_descend(&minimizer, &equations, &parts, LAG_JOINT_TARGET, LAG_DESCENTS, t->trial);
     }
     lag_joint_put(joint, t->trial);
@@ -61,7 +62,7 @@ static double correct(const lag_joint_parts *t, lag_joint *joint)
     for (size_t k = 0; k < count; ++k) {
         distance += t->trial[k] * t->trial[k];
     }
-    return lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS ? sqrt(distance) : (double)INFINITY;
+    return lag_levenberg_marquardt_size(&minimizer, &parts) <= LAG_HOLDS ? sqrt(distance) : (double)INFINITY;
 }
 
 void lag_joint_find_rates(const lag_joint_parts *t, lag_joint *joint, double *x)

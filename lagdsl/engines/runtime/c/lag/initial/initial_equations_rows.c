@@ -139,8 +139,27 @@ void lag_joint_residuals(const lag_joint *joint, const double *y, double *residu
     }
 }
 
+/* Column k from the residuals on both sides of y. */
+static void fill_column(const lag_joint *joint, const lag_parts *parts, size_t k, double *jacobian)
+{
+    size_t first = 0;
+    size_t begin = 0;
+    size_t place = 0;
+    const size_t which = (size_t)parts->column_part[k];
+    const size_t rows = lag_parts_rows(parts, which, &first);
+    const size_t columns = lag_parts_columns(parts, which, &begin);
+    double *block = lag_parts_block(parts, which, jacobian);
+    while ((size_t)parts->column[begin + place] != k) {
+        ++place;
+    }
+    for (size_t i = 0; i < rows; ++i) {
+        const size_t row = (size_t)joint->row[(size_t)parts->row[first + i]];
+        block[i * columns + place] = (joint->one[row] - joint->other[row]) / (2.0 * LAG_DIFFERENCE);
+    }
+}
+
 /* By central differences: rows of the initial equations hold accelerations, whose derivatives nobody else needs. */
-static void differentiate(const lag_joint *joint, const double *y, double *jacobian)
+static void differentiate(const lag_joint *joint, const lag_parts *parts, const double *y, double *jacobian)
 {
     memcpy(joint->y, y, joint->count * sizeof(double));
     for (size_t k = 0; k < joint->count; ++k) {
@@ -150,46 +169,50 @@ static void differentiate(const lag_joint *joint, const double *y, double *jacob
         joint->y[k] = here - LAG_DIFFERENCE;
         lag_joint_residuals(joint, joint->y, joint->other);
         joint->y[k] = here;
-        for (size_t i = 0; i < joint->rows; ++i) {
-            const size_t row = (size_t)joint->row[i];
-            jacobian[i * joint->count + k] = (joint->one[row] - joint->other[row]) / (2.0 * LAG_DIFFERENCE);
-        }
+        fill_column(joint, parts, k, jacobian);
     }
 }
 
 /* Columns from `first` on of J, whose rows begin behind `before` others, as the model knows them. */
-static void overwrite(const lag_joint *joint, size_t before, size_t first, double *jacobian)
+static void overwrite(const lag_joint *joint, const lag_parts *parts, size_t before, size_t first, double *jacobian)
 {
     const lag_initialization *b = joint->b;
     const size_t n = b->motion->model->nq;
     const size_t count = before == 0 ? b->rows : b->motion->model->nc;
-    for (size_t i = 0; i < joint->rows; ++i) {
+    for (size_t place = 0; place < joint->rows; ++place) { /* row after row of all blocks */
+        const size_t i = (size_t)parts->row[place];
+        const size_t which = (size_t)parts->row_part[i];
+        size_t begin = 0;
+        size_t top = 0;
+        const size_t columns = lag_parts_columns(parts, which, &begin);
+        (void)lag_parts_rows(parts, which, &top);
+        double *line = lag_parts_block(parts, which, jacobian) + (place - top) * columns;
         const size_t row = (size_t)joint->row[i];
         const size_t its = row >= before && row < before + count ? (before == 0 ? (size_t)b->row[row] : row - before) : 0;
-        for (size_t k = 0; row >= before && row < before + count && k < joint->count; ++k) {
-            const size_t unknown = (size_t)joint->free[k];
+        for (size_t k = 0; row >= before && row < before + count && k < columns; ++k) {
+            const size_t unknown = (size_t)joint->free[(size_t)parts->column[begin + k]];
             if (unknown >= first && unknown < first + n) {
                 const double entry = b->jacobian[its * n + unknown - first] / b->row_sizes[its];
-                jacobian[i * joint->count + k] = entry * joint->width[unknown] / joint->scale[row];
+                line[k] = entry * joint->width[unknown] / joint->scale[row];
             }
         }
     }
 }
 
-void lag_joint_evaluate(void *context, const double *y, double *residual, double *jacobian)
+void lag_joint_evaluate(void *context, const lag_parts *parts, const double *y, double *residual, double *jacobian)
 {
     const lag_joint *joint = context;
     lag_initialization *b = joint->b;
-    differentiate(joint, y, jacobian);
+    differentiate(joint, parts, y, jacobian);
     lag_joint_residuals(joint, y, joint->here);
     for (size_t i = 0; i < joint->rows; ++i) {
         residual[i] = joint->here[(size_t)joint->row[i]];
     }
     if (b->motion->model->nc > 0) {
         lag_initialization_positions(b);
-        overwrite(joint, 0, 0, jacobian);
+        overwrite(joint, parts, 0, 0, jacobian);
         lag_initialization_velocities(b);
-        overwrite(joint, b->rows, b->motion->model->nq, jacobian);
+        overwrite(joint, parts, b->rows, b->motion->model->nq, jacobian);
     }
 }
 
@@ -212,11 +235,13 @@ static void find_lengths(lag_joint *joint, const double *jacobian)
     }
 }
 
-void lag_joint_measure(lag_joint *joint, double *jacobian)
+void lag_joint_measure(lag_joint *joint, double *memory)
 {
     const lag_initialization *b = joint->b;
     const size_t n = b->motion->model->nq;
     unsigned long long seed = 20011;
+    double *jacobian = lag_take(&memory, joint->all_rows * joint->all);
+    const lag_parts whole = lag_parts_of(joint->all_rows, joint->all, NULL, memory);
     lag_joint_take_all(joint);
     lag_fill(joint->all_rows, 1.0, joint->scale);
     lag_fill(joint->all_rows, 0.0, joint->here);
@@ -233,7 +258,7 @@ void lag_joint_measure(lag_joint *joint, double *jacobian)
         for (size_t k = 0; k < joint->all; ++k) {
             y[k] = point == 0 ? 0.0 : 0.4 * lag_initialization_draw(&seed);
         }
-        differentiate(joint, y, jacobian);
+        differentiate(joint, &whole, y, jacobian);
         find_lengths(joint, jacobian);
         for (size_t i = 0; i < joint->all_rows; ++i) { /* that of the start, where there is one */
             joint->here[i] = joint->here[i] > 0.0 ? joint->here[i] : joint->one[i];

@@ -30,13 +30,13 @@ void lag_joint_place(lag_joint *joint, lag_initialization *b, double **memory);
 
 /* All rows and unknowns are those of the problem. */
 void lag_joint_take_all(lag_joint *joint);
-/* Scales of rows, and which unknowns they depend on, from the start values and points about them. `jacobian`: (all_rows, all) */
-void lag_joint_measure(lag_joint *joint, double *jacobian);
+/* Scales of rows, and which unknowns they depend on, from the start values and points about them. `memory`: (all_rows, all) and parts of them */
+void lag_joint_measure(lag_joint *joint, double *memory);
 /* The model at y; parameters are prepared. */
 void lag_joint_put(const lag_joint *joint, const double *y);
 /* All rows there, in their scales. */
 void lag_joint_residuals(const lag_joint *joint, const double *y, double *residual);
 /* The rows and unknowns of the problem: for lag_equations. */
-void lag_joint_evaluate(void *context, const double *y, double *residual, double *jacobian);
+void lag_joint_evaluate(void *context, const lag_parts *parts, const double *y, double *residual, double *jacobian);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "lag/initial/initial_equations.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
 #include "lag/linalg/svd.h"
 
 enum { TRIES = 12 };
@@ -21,16 +22,17 @@ static void draw(const lag_joint *joint, unsigned long long *seed, size_t which,
 }
 
 /* True if the equations of some part leave a choice at the point where the descent ended. */
-static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *minimizer, double *block, double *svd_memory)
+static int leaves_choice(const lag_parts *parts, const lag_levenberg_marquardt *minimizer)
 {
     for (size_t which = 0; which < parts->count; ++which) {
         size_t first = 0;
         const size_t columns = lag_parts_columns(parts, which, &first);
         const size_t rows = lag_parts_rows(parts, which, &first);
-        if (columns == 0 || !lag_parts_block(parts, which, parts->n, minimizer->jacobian, block)) {
+        const double *block = lag_parts_block(parts, which, minimizer->jacobian);
+        if (columns == 0 || !lag_finite(rows * columns, block)) {
             continue;
         }
-        const lag_svd svd = lag_svd_of(rows, columns, block, svd_memory);
+        const lag_svd svd = lag_svd_of(rows, columns, block, minimizer->svd);
         if (lag_svd_rank(&svd, LAG_ROUGH_RANK) < columns) {
             return 1;
         }
@@ -121,16 +123,16 @@ double lag_joint_search(const lag_joint_parts *t, lag_joint *joint)
     lag_levenberg_marquardt minimizer;
     double *room = lag_take(&memory, lag_parts_memory(joint->rows, joint->count));
     const lag_parts parts = lag_joint_parts_of(joint, memory, room);
-    const lag_equations equations = {joint->rows, joint->count, lag_joint_evaluate, joint};
+    const lag_equations equations = {lag_joint_evaluate, joint};
     lag_descents found;
     place_descents(&found, joint, lag_take(&memory, 5 * (joint->rows + joint->count)));
-    lag_levenberg_marquardt_place(&minimizer, joint->rows, joint->count, memory);
+    lag_levenberg_marquardt_place(&minimizer, &parts, memory);
     const double smallest = descend(t, joint, &parts, &equations, &minimizer, &found);
     if (!(smallest <= LAG_HOLDS)) {
         return smallest;
     }
-    lag_joint_evaluate(joint, t->best, minimizer.residual, minimizer.jacobian);
-    if (!leaves_choice(&parts, &minimizer, minimizer.block, minimizer.svd)) {
+    lag_joint_evaluate(joint, &parts, t->best, minimizer.residual, minimizer.jacobian);
+    if (!leaves_choice(&parts, &minimizer)) {
         return smallest;
     }
     unsigned long long seed = 20011;
@@ -138,8 +140,8 @@ double lag_joint_search(const lag_joint_parts *t, lag_joint *joint)
     for (size_t k = 0; k < LAG_NEAREST_GUESSES; ++k) {
         draw(joint, &seed, k, t->point, guesses + k * joint->count);
     }
-    lag_nearest_configuration_place(&nearest, joint->rows, joint->count, memory);
-    const double worst = lag_nearest_configuration_search(&nearest, &equations, &parts, guesses, LAG_HOLDS);
+    lag_nearest_configuration_place(&nearest, &parts, memory);
+    const double worst = lag_nearest_configuration_search(&nearest, &equations, guesses, LAG_HOLDS);
     if (worst <= LAG_HOLDS) {
         memcpy(t->best, nearest.best.point, joint->count * sizeof(double));
     }

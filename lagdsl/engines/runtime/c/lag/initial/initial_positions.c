@@ -21,7 +21,6 @@ typedef struct positions {
     double *number; /* (nq) for each coordinate its place among them, or -1 */
     double *base;  /* (nq) where they begin */
     double *met;   /* (rows) 1: met while written start values were held */
-    lag_parts parts; /* of the rows and the free coordinates, in a search */
 } positions;
 
 size_t lag_initialization_q_memory(const lag_model *model)
@@ -52,22 +51,27 @@ static void put(const positions *p, const double *y)
     }
 }
 
-/* Entries of J within the parts: nobody looks at others. */
-static void at_positions(void *context, const double *y, double *residual, double *jacobian)
+static void at_positions(void *context, const lag_parts *parts, const double *y, double *residual, double *jacobian)
 {
     const positions *p = context;
     lag_initialization *b = p->b;
     put(p, y);
     lag_initialization_positions(b);
-    for (size_t i = 0; i < b->rows; ++i) {
-        const size_t row = (size_t)b->row[i];
-        residual[i] = is_joined(b, row) || p->met[i] != 0.0 ? 0.0 : b->phi[row] / b->row_sizes[row];
+    for (size_t which = 0; which < parts->count; ++which) {
         size_t first = 0;
-        const size_t columns = lag_parts_columns(&p->parts, (size_t)p->parts.row_part[i], &first);
-        for (size_t place = first; place < first + columns; ++place) {
-            const size_t k = (size_t)p->parts.column[place];
-            const size_t j = (size_t)p->free[k];
-            jacobian[i * p->count + k] = b->jacobian[row * b->motion->model->nq + j] * b->starts.widths[j] / b->row_sizes[row];
+        size_t begin = 0;
+        const size_t rows = lag_parts_rows(parts, which, &first);
+        const size_t columns = lag_parts_columns(parts, which, &begin);
+        double *block = lag_parts_block(parts, which, jacobian);
+        for (size_t i = 0; i < rows; ++i) {
+            const size_t place = (size_t)parts->row[first + i];
+            const size_t row = (size_t)b->row[place];
+            const double *its = b->jacobian + row * b->motion->model->nq;
+            residual[place] = is_joined(b, row) || p->met[place] != 0.0 ? 0.0 : b->phi[row] / b->row_sizes[row];
+            for (size_t k = 0; k < columns; ++k) {
+                const size_t j = (size_t)p->free[(size_t)parts->column[begin + k]];
+                block[i * columns + k] = its[j] * b->starts.widths[j] / b->row_sizes[row];
+            }
         }
     }
 }
@@ -200,10 +204,10 @@ static double search(positions *p, double *point, double *memory)
             guesses[k * p->count + i] = (point[j] - b->starts.x[j]) / b->starts.widths[j];
         }
     }
-    p->parts = find_parts(p, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
-    const lag_equations equations = {b->rows, p->count, at_positions, p};
-    lag_nearest_configuration_place(&nearest, b->rows, p->count, memory);
-    const double worst = lag_nearest_configuration_search(&nearest, &equations, &p->parts, guesses, LAG_HOLDS);
+    const lag_parts parts = find_parts(p, lag_take(&memory, lag_parts_memory(b->rows, p->count)));
+    const lag_equations equations = {at_positions, p};
+    lag_nearest_configuration_place(&nearest, &parts, memory);
+    const double worst = lag_nearest_configuration_search(&nearest, &equations, guesses, LAG_HOLDS);
     put(p, nearest.best.point);
     return worst;
 }
@@ -256,7 +260,7 @@ void lag_initialization_find_q(lag_initialization *b, double *x)
 {
     const size_t n = b->motion->model->nq;
     double *memory = b->memory;
-    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, b->rows), {0}};
+    positions p = {b, 0, lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, n), lag_take(&memory, b->rows)};
     double *point = lag_take(&memory, n);
     double worst = 0.0;
     for (size_t j = 0; j < n; ++j) {

@@ -8,9 +8,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
 #include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
@@ -27,12 +29,12 @@ typedef struct walk {
     lag_parts parts, all; /* of the position rows, of all rows */
     lag_equations equations;
     double *here, *step, *point;    /* (nq) in natural sizes */
-    double *residual, *jacobian;    /* (rows) (nc, nq) */
+    double *residual, *jacobian;    /* (rows) (entries of the parts) */
     double *block, *part, *inner;   /* (nc, nq) (nq) (nq) */
     double *ranks;                  /* (nc + nq) of each part, the largest so far, */
     double *rough;                  /* (nc + nq) and of points where the rows hold by and large */
-    double *best;                   /* (nc, nq) J where the rank of a part was largest */
-    double *basis;                  /* (nq, nq) */
+    double *best;                   /* (entries of all parts) J where the rank of a part was largest */
+    double *basis;                  /* (nq, nq) of one part */
     double *svd;
 } walk;
 
@@ -40,25 +42,60 @@ size_t lag_initialization_rank_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    return lag_levenberg_marquardt_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 4 * m * n + n * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
+    return lag_levenberg_marquardt_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 3 * m * n + n * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
 }
 
-static void at_point(void *context, const double *y, double *residual, double *jacobian)
+/* The block of a part of J as it was evaluated last, in natural sizes; `row`: the rows that are told apart, or null: all. */
+static void gather(const walk *w, const lag_parts *parts, size_t which, const double *row, double *block)
+{
+    const lag_initialization *b = w->b;
+    size_t first = 0;
+    size_t begin = 0;
+    const size_t rows = lag_parts_rows(parts, which, &first);
+    const size_t columns = lag_parts_columns(parts, which, &begin);
+    for (size_t i = 0; i < rows; ++i) {
+        const size_t place = (size_t)parts->row[first + i];
+        const size_t its = row != NULL ? (size_t)row[place] : place;
+        const double *line = b->jacobian + its * b->motion->model->nq;
+        for (size_t k = 0; k < columns; ++k) {
+            const size_t j = (size_t)parts->column[begin + k];
+            block[i * columns + k] = line[j] * b->sizes[j] / b->row_sizes[its];
+        }
+    }
+}
+
+static void at_point(void *context, const lag_parts *parts, const double *y, double *residual, double *jacobian)
 {
     walk *w = context;
     lag_initialization *b = w->b;
-    const size_t n = b->motion->model->nq;
-    for (size_t j = 0; j < n; ++j) {
+    for (size_t j = 0; j < b->motion->model->nq; ++j) {
         b->q[j] = y[j] * b->sizes[j];
     }
     lag_initialization_positions(b);
     for (size_t i = 0; i < b->rows; ++i) {
         const size_t row = (size_t)b->row[i];
         residual[i] = b->phi[row] / b->row_sizes[row];
-        for (size_t j = 0; j < n; ++j) {
-            jacobian[i * n + j] = b->jacobian[row * n + j] * b->sizes[j] / b->row_sizes[row];
+    }
+    for (size_t which = 0; which < parts->count; ++which) {
+        gather(w, parts, which, b->row, lag_parts_block(parts, which, jacobian));
+    }
+}
+
+/* Parts of all rows, or of those of position level, by the coordinates that they depend on. */
+static lag_parts find_parts(const lag_initialization *b, int positions, double *memory)
+{
+    const lag_model *model = b->motion->model;
+    lag_parts parts = lag_parts_begin(positions ? b->rows : model->nc, model->nq, memory);
+    for (size_t i = 0; i < parts.m; ++i) {
+        const lag_entries entries = lag_entries_of(model, positions ? (size_t)b->row[i] : i);
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            if (b->pattern[entries.before + k] != 0.0) {
+                lag_parts_join(&parts, i, lag_entry_column(&entries, k));
+            }
         }
     }
+    lag_parts_end(&parts);
+    return parts;
 }
 
 static void place(walk *w, lag_initialization *b)
@@ -69,49 +106,41 @@ static void place(walk *w, lag_initialization *b)
     double *memory = b->memory;
     memset(w, 0, sizeof *w);
     w->b = b;
-    w->equations = (lag_equations){b->rows, n, at_point, w};
-    lag_levenberg_marquardt_place(&w->minimizer, b->rows, n, lag_take(&memory, lag_levenberg_marquardt_memory(m, n)));
-    double *for_parts = lag_take(&memory, lag_parts_memory(m, n));
-    double *for_all = lag_take(&memory, lag_parts_memory(m, n));
+    w->equations = (lag_equations){at_point, w};
+    w->parts = find_parts(b, 1, lag_take(&memory, lag_parts_memory(m, n)));
+    w->all = find_parts(b, 0, lag_take(&memory, lag_parts_memory(m, n)));
+    lag_levenberg_marquardt_place(&w->minimizer, &w->parts, lag_take(&memory, lag_levenberg_marquardt_memory(m, n)));
     w->here = lag_take(&memory, n);
     w->step = lag_take(&memory, n);
     w->point = lag_take(&memory, n);
     w->residual = lag_take(&memory, m);
-    w->jacobian = lag_take(&memory, m * n);
+    w->jacobian = lag_take(&memory, lag_parts_entries(&w->parts));
     w->block = lag_take(&memory, m * n);
-    double *pattern = lag_take(&memory, m * n);
     w->part = lag_take(&memory, n);
     w->inner = lag_take(&memory, n);
     w->ranks = lag_take(&memory, m + n);
     w->rough = lag_take(&memory, m + n);
-    w->best = lag_take(&memory, m * n);
+    w->best = lag_take(&memory, lag_parts_entries(&w->all));
     w->basis = lag_take(&memory, n * n);
     w->svd = memory;
-    lag_fill(m * n, 0.0, w->best);
+    lag_fill(lag_parts_entries(&w->all), 0.0, w->best);
     lag_fill(m + n, 0.0, w->ranks);
     lag_fill(m + n, 0.0, w->rough);
-    lag_fill(m * n, 0.0, w->jacobian);
-    lag_initialization_spread(b, w->jacobian);
-    for (size_t i = 0; i < b->rows; ++i) {
-        memcpy(pattern + i * n, w->jacobian + (size_t)b->row[i] * n, n * sizeof(double));
-    }
-    w->parts = lag_parts_of(b->rows, n, pattern, for_parts);
-    w->all = lag_parts_of(m, n, w->jacobian, for_all);
 }
 
 /* The part of `step` that the position rows leave free. */
 static void keep_tangent(walk *w)
 {
-    const size_t n = w->b->motion->model->nq;
-    at_point(w, w->here, w->residual, w->jacobian);
+    at_point(w, &w->parts, w->here, w->residual, w->jacobian);
     for (size_t which = 0; which < w->parts.count; ++which) {
         size_t first = 0;
         const size_t rows = lag_parts_rows(&w->parts, which, &first);
         const size_t columns = lag_parts_columns(&w->parts, which, &first);
-        if (rows == 0 || columns == 0 || !lag_parts_block(&w->parts, which, n, w->jacobian, w->block)) {
+        const double *block = lag_parts_block(&w->parts, which, w->jacobian);
+        if (rows == 0 || columns == 0 || !lag_finite(rows * columns, block)) {
             continue;
         }
-        const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
+        const lag_svd svd = lag_svd_of(rows, columns, block, w->svd);
         for (size_t j = 0; j < columns; ++j) {
             w->part[j] = w->step[(size_t)w->parts.column[first + j]];
             w->inner[j] = 0.0;
@@ -131,22 +160,9 @@ static void keep_tangent(walk *w)
     }
 }
 
-/* The rows of a part as they are now. */
-static void keep(walk *w, size_t which)
+/* Writes the part of a row (n) that is orthogonal to the orthonormal ones into w->part; returns its share of the length. */
+static double left_of(walk *w, size_t n, const double *row, size_t count)
 {
-    const size_t n = w->b->motion->model->nq;
-    size_t first = 0;
-    const size_t rows = lag_parts_rows(&w->all, which, &first);
-    for (size_t i = first; i < first + rows; ++i) {
-        const size_t row = (size_t)w->all.row[i];
-        memcpy(w->best + row * n, w->jacobian + row * n, n * sizeof(double));
-    }
-}
-
-/* Writes the part of a row that is orthogonal to the orthonormal ones into w->part; returns its share of the length. */
-static double left_of(walk *w, const double *row, size_t count)
-{
-    const size_t n = w->b->motion->model->nq;
     const double length = sqrt(lag_dot(n, row, row));
     memcpy(w->part, row, n * sizeof(double));
     for (int again = 0; again < 2; ++again) {
@@ -170,24 +186,23 @@ static void flag_dependent(walk *w, size_t which, size_t rank)
     unsigned char *flags = w->b->told.dependent;
     size_t first = 0;
     size_t count = 0;
+    const size_t n = lag_parts_columns(&w->all, which, &first);
     const size_t rows = lag_parts_rows(&w->all, which, &first);
+    const double *best = lag_parts_block(&w->all, which, w->best);
     for (double least = LAG_FOLLOWS; count < rank && least > LAG_EXACT; least *= 0.1) {
         count = 0;
         for (int velocities = 0; velocities < 2; ++velocities) {
-            for (size_t i = first; i < first + rows; ++i) {
-                const size_t row = (size_t)w->all.row[i];
+            for (size_t i = 0; i < rows; ++i) {
+                const size_t row = (size_t)w->all.row[first + i];
                 if ((model->position_level[row] == 0) != velocities) {
                     continue;
                 }
-                const double left = left_of(w, w->best + row * model->nq, count);
+                const double left = left_of(w, n, best + i * n, count);
                 flags[row] = !(count < rank && left > least);
-                for (size_t j = 0; j < model->nq && !flags[row]; ++j) {
-                    w->basis[count * model->nq + j] = w->part[j];
-                }
                 if (!flags[row]) {
-                    const double length = sqrt(lag_dot(model->nq, w->part, w->part));
-                    for (size_t j = 0; j < model->nq; ++j) {
-                        w->basis[count * model->nq + j] /= length;
+                    const double length = sqrt(lag_dot(n, w->part, w->part));
+                    for (size_t j = 0; j < n; ++j) {
+                        w->basis[count * n + j] = w->part[j] / length;
                     }
                     ++count;
                 }
@@ -209,17 +224,13 @@ static int find_ranks(walk *w, double residual)
         b->q[j] = w->point[j] * b->sizes[j];
     }
     lag_initialization_velocities(b);
-    for (size_t i = 0; i < b->motion->model->nc; ++i) {
-        for (size_t j = 0; j < n; ++j) {
-            w->jacobian[i * n + j] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
-        }
-    }
     int finite = 1;
     for (size_t which = 0; which < w->all.count && finite; ++which) {
         size_t first = 0;
         const size_t rows = lag_parts_rows(&w->all, which, &first);
         const size_t columns = lag_parts_columns(&w->all, which, &first);
-        finite = lag_parts_block(&w->all, which, n, w->jacobian, w->block);
+        gather(w, &w->all, which, NULL, w->block);
+        finite = lag_finite(rows * columns, w->block);
         if (finite && rows > 0 && columns > 0) {
             const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
             const double least = fmax(LAG_RANK, KNOWN * residual) * fmax(svd.value[0], CONTENT);
@@ -229,7 +240,7 @@ static int find_ranks(walk *w, double residual)
             }
             if ((double)rank > ranks[which]) {
                 ranks[which] = (double)rank;
-                keep(w, which);
+                memcpy(lag_parts_block(&w->all, which, w->best), w->block, rows * columns * sizeof(double));
             }
         }
     }
@@ -250,7 +261,7 @@ static int take_step(walk *w, unsigned long long *seed, size_t which, double sca
         w->point[j] = w->here[j] + scale * w->step[j];
     }
     lag_descend(&w->minimizer, &w->equations, &w->parts, LAG_EXACT, LAG_DESCENTS, w->point);
-    *residual = lag_levenberg_marquardt_size(&w->minimizer, &w->equations);
+    *residual = lag_levenberg_marquardt_size(&w->minimizer, &w->parts);
     return *residual <= LAG_HOLDS && find_ranks(w, *residual);
 }
 

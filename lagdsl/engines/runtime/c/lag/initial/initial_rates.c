@@ -300,7 +300,7 @@ static int solve_part(lag_rates *r, size_t which)
     if (conditions == 0 || r->its.columns == 0) {
         return 1; /* as wanted */
     }
-    (void)lag_parts_block(&r->parts, which, r->b->motion->model->nq, r->table, r->its.block);
+    (void)lag_parts_gather(&r->parts, which, r->b->motion->model->nq, r->table, r->its.block);
     if (!satisfy(r, which)) {
         return 0;
     }

@@ -30,9 +30,11 @@ static void bias(lag_rates *r, const double *y, size_t moved, double by, double 
     }
 }
 
-static void at_branches(void *context, const double *y, double *residual, double *jacobian)
+/* All is one part. */
+static void at_branches(void *context, const lag_parts *parts, const double *y, double *residual, double *jacobian)
 {
     lag_rates *r = context;
+    (void)parts;
     for (size_t k = 0; k < r->branch.width; ++k) {
         bias(r, y, k, -LAG_DIFFERENCE, residual);
         for (size_t i = 0; i < r->branch.lost; ++i) {
@@ -51,15 +53,15 @@ static int descend_along(lag_rates *r, const double *along, size_t width)
     const size_t n = r->b->motion->model->nq;
     const size_t m = r->b->motion->model->nc;
     double *memory = r->branch.minimizer;
-    const lag_equations equations = {r->branch.lost, width, at_branches, r};
+    const lag_equations equations = {at_branches, r};
     lag_levenberg_marquardt minimizer;
     r->branch.along = along;
     r->branch.width = width;
     const lag_parts parts = lag_parts_of(r->branch.lost, width, NULL, lag_take(&memory, lag_parts_memory(m, n)));
-    lag_levenberg_marquardt_place(&minimizer, r->branch.lost, width, memory);
+    lag_levenberg_marquardt_place(&minimizer, &parts, memory);
     lag_fill(width, 0.0, r->change);
     lag_descend(&minimizer, &equations, &parts, LAG_EXACT, LAG_DESCENTS, r->change);
-    if (!(lag_levenberg_marquardt_size(&minimizer, &equations) <= LAG_HOLDS * fmax(1.0, lag_dot(n, r->v, r->v)))) {
+    if (!(lag_levenberg_marquardt_size(&minimizer, &parts) <= LAG_HOLDS * fmax(1.0, lag_dot(n, r->v, r->v)))) {
         return 0;
     }
     for (size_t i = 0; i < width; ++i) {

@@ -18,17 +18,6 @@ static const double AWAY = 0.1;
 static const double BENT = 0.5;
 enum { ITERATIONS = 60, HALVINGS = 20 };
 
-/* Columns of a part, and where its (columns, columns) numbers stand among those of all parts. */
-static size_t square_of(const lag_parts *parts, size_t which, size_t *first, size_t *place)
-{
-    *place = 0;
-    for (size_t i = 0; i < which; ++i) {
-        const size_t columns = lag_parts_columns(parts, i, first);
-        *place += columns * columns;
-    }
-    return lag_parts_columns(parts, which, first);
-}
-
 static void gather(const lag_parts *parts, size_t which, const double *x, double *part)
 {
     size_t first = 0;
@@ -54,13 +43,13 @@ static void weigh(lag_nearest_configuration *s, size_t which, const double *poin
 static void displace(const lag_nearest_configuration *s, size_t index, double sign, const double *point, double *x)
 {
     memcpy(x, point, s->parts->n * sizeof(double));
-    for (size_t which = 0, place = 0; which < s->parts->count; ++which) {
+    for (size_t which = 0; which < s->parts->count; ++which) {
         size_t first = 0;
         const size_t columns = lag_parts_columns(s->parts, which, &first);
+        const double *direction = s->bend.directions + (size_t)s->bend.square[which] + index * columns;
         for (size_t j = 0; j < columns && (double)index < s->bend.widths[which]; ++j) {
-            x[(size_t)s->parts->column[first + j]] += sign * LAG_DIFFERENCE * s->bend.directions[place + index * columns + j];
+            x[(size_t)s->parts->column[first + j]] += sign * LAG_DIFFERENCE * direction[j];
         }
-        place += columns * columns;
     }
 }
 
@@ -75,24 +64,24 @@ static void bend(lag_nearest_configuration *s, const double *point)
     }
     for (size_t index = 0; (double)index < widest; ++index) {
         displace(s, index, -1.0, point, s->path.trial);
-        e->evaluate(e->context, s->path.trial, s->residual, s->bend.before);
+        e->evaluate(e->context, parts, s->path.trial, s->residual, s->bend.before);
         displace(s, index, 1.0, point, s->path.trial);
-        e->evaluate(e->context, s->path.trial, s->residual, s->jacobian);
-        for (size_t which = 0, place = 0; which < parts->count; ++which) {
+        e->evaluate(e->context, parts, s->path.trial, s->residual, s->jacobian);
+        for (size_t which = 0; which < parts->count; ++which) {
             size_t row = 0;
             size_t column = 0;
             const size_t rows = lag_parts_rows(parts, which, &row);
             const size_t columns = lag_parts_columns(parts, which, &column);
+            const double *before = lag_parts_block(parts, which, s->bend.before);
+            const double *after = lag_parts_block(parts, which, s->jacobian);
+            double *its = s->bend.bends + (size_t)s->bend.square[which] + index * columns;
             for (size_t j = 0; j < columns && (double)index < s->bend.widths[which]; ++j) {
                 double sum = 0.0;
                 for (size_t i = 0; i < rows; ++i) {
-                    const size_t line = (size_t)parts->row[row + i];
-                    const size_t entry = line * parts->n + (size_t)parts->column[column + j];
-                    sum += s->bend.weights[line] * (s->jacobian[entry] - s->bend.before[entry]);
+                    sum += s->bend.weights[(size_t)parts->row[row + i]] * (after[i * columns + j] - before[i * columns + j]);
                 }
-                s->bend.bends[place + index * columns + j] = sum / (2.0 * LAG_DIFFERENCE);
+                its[j] = sum / (2.0 * LAG_DIFFERENCE);
             }
-            place += columns * columns;
         }
     }
 }
@@ -101,20 +90,20 @@ static void bend(lag_nearest_configuration *s, const double *point)
 static void find_tangents(lag_nearest_configuration *s, const double *point)
 {
     const lag_parts *parts = s->parts;
-    s->equations->evaluate(s->equations->context, point, s->residual, s->jacobian);
-    for (size_t which = 0, place = 0; which < parts->count; ++which) {
+    s->equations->evaluate(s->equations->context, parts, point, s->residual, s->jacobian);
+    for (size_t which = 0; which < parts->count; ++which) {
         size_t first = 0;
         const size_t rows = lag_parts_rows(parts, which, &first);
         const size_t columns = lag_parts_columns(parts, which, &first);
+        const double *block = lag_parts_block(parts, which, s->jacobian);
         s->bend.widths[which] = 0.0;
-        if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
-            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
+        if (s->moving[which] != 0.0 && lag_finite(rows * columns, block)) {
+            const lag_svd svd = lag_svd_of(rows, columns, block, s->svd);
             const size_t rank = lag_svd_rank(&svd, LAG_RANK);
             s->bend.widths[which] = (double)(columns - rank);
-            memcpy(s->bend.directions + place, svd.v + rank * columns, (columns - rank) * columns * sizeof(double));
+            memcpy(s->bend.directions + (size_t)s->bend.square[which], svd.v + rank * columns, (columns - rank) * columns * sizeof(double));
             weigh(s, which, point, &svd);
         }
-        place += columns * columns;
     }
 }
 
@@ -140,8 +129,8 @@ static size_t curve(lag_nearest_configuration *s, size_t width, size_t columns, 
 static void step_of(lag_nearest_configuration *s, size_t which, const double *point, double length)
 {
     size_t first = 0;
-    size_t place = 0;
-    const size_t columns = square_of(s->parts, which, &first, &place);
+    const size_t columns = lag_parts_columns(s->parts, which, &first);
+    const size_t place = (size_t)s->bend.square[which];
     const size_t width = (size_t)s->bend.widths[which];
     const double *directions = s->bend.directions + place;
     const size_t least = curve(s, width, columns, directions, s->bend.bends + place);
@@ -260,10 +249,9 @@ static void find_bent_parts(lag_nearest_configuration *s, const double *place)
     bend(s, place);
     for (size_t which = 0; which < s->parts->count; ++which) {
         size_t first = 0;
-        size_t start = 0;
-        const size_t columns = square_of(s->parts, which, &first, &start);
+        const size_t columns = lag_parts_columns(s->parts, which, &first);
         if (s->bend.widths[which] > 0.0 && s->path.also[which] == 0.0) {
-            const double *bends = s->bend.bends + start;
+            const double *bends = s->bend.bends + (size_t)s->bend.square[which];
             s->path.also[which] = !lag_finite(columns * columns, bends) || lag_svd_of(columns, columns, bends, s->svd).value[0] > BENT;
         }
     }
@@ -273,22 +261,23 @@ int lag_nearest_configuration_bends(lag_nearest_configuration *s)
 {
     const lag_parts *parts = s->parts;
     every_part_moves(s);
-    s->equations->evaluate(s->equations->context, s->best.point, s->residual, s->jacobian);
-    for (size_t which = 0, place = 0; which < parts->count; ++which) {
+    s->equations->evaluate(s->equations->context, parts, s->best.point, s->residual, s->jacobian);
+    for (size_t which = 0; which < parts->count; ++which) {
         size_t first = 0;
         const size_t rows = lag_parts_rows(parts, which, &first);
         const size_t columns = lag_parts_columns(parts, which, &first);
+        const double *block = lag_parts_block(parts, which, s->jacobian);
+        double *directions = s->bend.directions + (size_t)s->bend.square[which];
         s->path.also[which] = s->bend.widths[which] = 0.0;
-        if (s->moving[which] != 0.0 && lag_parts_block(parts, which, parts->n, s->jacobian, s->block)) {
-            const lag_svd svd = lag_svd_of(rows, columns, s->block, s->svd);
+        if (s->moving[which] != 0.0 && lag_finite(rows * columns, block)) {
+            const lag_svd svd = lag_svd_of(rows, columns, block, s->svd);
             weigh(s, which, s->best.point, &svd);
             s->bend.widths[which] = (double)columns;
-            lag_fill(columns * columns, 0.0, s->bend.directions + place);
+            lag_fill(columns * columns, 0.0, directions);
             for (size_t j = 0; j < columns; ++j) {
-                s->bend.directions[place + j * columns + j] = 1.0;
+                directions[j * columns + j] = 1.0;
             }
         }
-        place += columns * columns;
     }
     lag_fill(parts->n, 0.0, s->bend.point);
     find_bent_parts(s, s->bend.point);

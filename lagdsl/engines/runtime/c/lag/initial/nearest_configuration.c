@@ -17,7 +17,7 @@ size_t lag_nearest_configuration_memory(size_t m, size_t n)
 {
     const size_t points = LAG_NEAREST_FOUND + LAG_NEAREST_REFINED + 1;
     return lag_levenberg_marquardt_memory(m, n) + lag_levenberg_marquardt_memory(m + n, n) + lag_parts_memory(m + n, n) + points * (n + 2 * (m + n)) + m +
-           2 * m * n + 5 * n + 9 * (m + n) + 2 * n * n + m + lag_larger(m, n) * n + n + m + 2 * n * n + n +
+           2 * m * n + 5 * n + 9 * (m + n) + m + n + 1 + 2 * n * n + m + n + m + 2 * n * n + n +
            lag_svd_memory(lag_larger(m, n), n);
 }
 
@@ -28,14 +28,42 @@ static void place_found(lag_found *found, size_t m, size_t n, double **memory)
     found->distances = lag_take(memory, m + n);
 }
 
-void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, size_t n, double *memory)
+/* The parts with a row more for each column. */
+static lag_parts widened(const lag_parts *parts, double *memory)
 {
+    const size_t m = parts->m;
+    const size_t n = parts->n;
+    lag_parts wide = lag_parts_begin(m + n, n, memory);
+    wide.count = parts->count;
+    memcpy(wide.row_part, parts->row_part, m * sizeof(double));
+    memcpy(wide.row_part + m, parts->column_part, n * sizeof(double));
+    memcpy(wide.column_part, parts->column_part, n * sizeof(double));
+    lag_parts_order(&wide);
+    return wide;
+}
+
+/* Where the squares of the parts begin. */
+static void find_squares(const lag_parts *parts, double *square)
+{
+    square[0] = 0.0;
+    for (size_t which = 0; which < parts->count; ++which) {
+        size_t first = 0;
+        const size_t columns = lag_parts_columns(parts, which, &first);
+        square[which + 1] = square[which] + (double)(columns * columns);
+    }
+}
+
+void lag_nearest_configuration_place(lag_nearest_configuration *s, const lag_parts *parts, double *memory)
+{
+    const size_t m = parts->m;
+    const size_t n = parts->n;
     double **const in_parts[] = {&s->moving, &s->path.moved, &s->path.ways, &s->path.also, &s->chosen, &s->lengths, &s->path.limits, &s->path.distances, &s->bend.widths};
     double **const points[] = {&s->bend.point, &s->path.steps, &s->path.shorter, &s->path.opposite, &s->path.trial};
     memset(s, 0, sizeof *s);
-    lag_levenberg_marquardt_place(&s->minimizer, m, n, lag_take(&memory, lag_levenberg_marquardt_memory(m, n)));
-    lag_levenberg_marquardt_place(&s->relaxed.minimizer, m + n, n, lag_take(&memory, lag_levenberg_marquardt_memory(m + n, n)));
-    s->relaxed.memory = lag_take(&memory, lag_parts_memory(m + n, n));
+    s->parts = parts;
+    s->relaxed.parts = widened(parts, lag_take(&memory, lag_parts_memory(m + n, n)));
+    lag_levenberg_marquardt_place(&s->minimizer, parts, lag_take(&memory, lag_levenberg_marquardt_memory(m, n)));
+    lag_levenberg_marquardt_place(&s->relaxed.minimizer, &s->relaxed.parts, lag_take(&memory, lag_levenberg_marquardt_memory(m + n, n)));
     for (size_t i = 0; i < LAG_NEAREST_FOUND; ++i) {
         place_found(&s->found[i], m, n, &memory);
     }
@@ -44,18 +72,19 @@ void lag_nearest_configuration_place(lag_nearest_configuration *s, size_t m, siz
     }
     place_found(&s->best, m, n, &memory);
     s->residual = lag_take(&memory, m);
-    s->jacobian = lag_take(&memory, m * n);
-    s->bend.before = lag_take(&memory, m * n);
+    s->jacobian = lag_take(&memory, lag_parts_entries(parts));
+    s->bend.before = lag_take(&memory, lag_parts_entries(parts));
     for (size_t i = 0; i < sizeof points / sizeof *points; ++i) {
         *points[i] = lag_take(&memory, n);
     }
     for (size_t i = 0; i < sizeof in_parts / sizeof *in_parts; ++i) {
         *in_parts[i] = lag_take(&memory, m + n);
     }
-    s->bend.directions = lag_take(&memory, n * n);
-    s->bend.bends = lag_take(&memory, n * n);
+    s->bend.square = lag_take(&memory, m + n + 1);
+    find_squares(parts, s->bend.square);
+    s->bend.directions = lag_take(&memory, (size_t)s->bend.square[parts->count]);
+    s->bend.bends = lag_take(&memory, (size_t)s->bend.square[parts->count]);
     s->bend.weights = lag_take(&memory, m);
-    s->block = lag_take(&memory, lag_larger(m, n) * n);
     s->part = lag_take(&memory, n);
     s->bend.weight = lag_take(&memory, m);
     s->bend.hessian = lag_take(&memory, n * n);
@@ -115,50 +144,33 @@ static void improve(lag_nearest_configuration *s, const lag_found *other)
 
 /* ---- guesses ---- */
 
-static void relaxed(void *context, const double *y, double *residual, double *jacobian)
+/* The rows of a part stand before those of its columns, in its block, too. */
+static void relaxed(void *context, const lag_parts *wide, const double *y, double *residual, double *jacobian)
 {
     const lag_nearest_configuration *s = context;
-    const size_t m = s->equations->m;
-    const size_t n = s->equations->n;
-    s->equations->evaluate(s->equations->context, y, residual, jacobian);
-    for (size_t j = 0; j < n; ++j) {
-        size_t first = 0;
-        const size_t columns = lag_parts_columns(s->parts, (size_t)s->parts->column_part[j], &first);
-        for (size_t place = first; place < first + columns; ++place) {
-            jacobian[(m + j) * n + (size_t)s->parts->column[place]] = 0.0;
-        }
-        residual[m + j] = s->relaxed.penalty * y[j];
-        jacobian[(m + j) * n + j] = s->relaxed.penalty;
+    lag_parts inner = *s->parts;
+    inner.first_entry = wide->first_entry;
+    s->equations->evaluate(s->equations->context, &inner, y, residual, jacobian);
+    for (size_t j = 0; j < inner.n; ++j) {
+        residual[inner.m + j] = s->relaxed.penalty * y[j];
     }
-}
-
-/* The parts with a row more for each column. */
-static void widen(lag_nearest_configuration *s, double *memory)
-{
-    const lag_parts *parts = s->parts;
-    const size_t m = parts->m;
-    const size_t n = parts->n;
-    lag_parts *wide = &s->relaxed.parts;
-    wide->m = m + n;
-    wide->n = n;
-    wide->count = parts->count;
-    wide->row_part = lag_take(&memory, m + n);
-    wide->column_part = lag_take(&memory, n);
-    wide->row = lag_take(&memory, m + n);
-    wide->column = lag_take(&memory, n);
-    wide->first_row = lag_take(&memory, m + 2 * n + 1);
-    wide->first_column = memory;
-    memcpy(wide->row_part, parts->row_part, m * sizeof(double));
-    memcpy(wide->row_part + m, parts->column_part, n * sizeof(double));
-    memcpy(wide->column_part, parts->column_part, n * sizeof(double));
-    lag_parts_order(wide);
+    for (size_t which = 0; which < inner.count; ++which) {
+        size_t first = 0;
+        const size_t rows = lag_parts_rows(&inner, which, &first);
+        const size_t columns = lag_parts_columns(&inner, which, &first);
+        double *square = lag_parts_block(wide, which, jacobian) + rows * columns;
+        lag_fill(columns * columns, 0.0, square);
+        for (size_t j = 0; j < columns; ++j) {
+            square[j * columns + j] = s->relaxed.penalty;
+        }
+    }
 }
 
 /* Minima of e |y|^2 + |equations(y)|^2 for ever smaller e, each from the last, the first from the origin. */
 static void follow(lag_nearest_configuration *s, double *point)
 {
-    const lag_equations wider = {s->equations->m + s->equations->n, s->equations->n, relaxed, s};
-    lag_fill(s->equations->n, 0.0, point);
+    const lag_equations wider = {relaxed, s};
+    lag_fill(s->parts->n, 0.0, point);
     for (size_t i = 0; i < sizeof PENALTIES / sizeof *PENALTIES; ++i) {
         s->relaxed.penalty = PENALTIES[i];
         lag_descend(&s->relaxed.minimizer, &wider, &s->relaxed.parts, LAG_EXACT, RELAXED, point);
@@ -207,7 +219,7 @@ static void refine(lag_nearest_configuration *s, lag_found *found)
         s->path.limits[i] = fmax(1e-12, found->sizes[i]);
     }
     lag_nearest_configuration_along(s, found->point);
-    s->equations->evaluate(s->equations->context, found->point, s->residual, s->jacobian);
+    s->equations->evaluate(s->equations->context, s->parts, found->point, s->residual, s->jacobian);
     lag_parts_norms(s->parts, 1, s->residual, found->sizes);
     lag_parts_norms(s->parts, 0, found->point, found->distances);
 }
@@ -291,17 +303,16 @@ static void search_bent_parts(lag_nearest_configuration *s)
     copy(s, &s->found[0], &s->best);
 }
 
-double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_equations *equations, const lag_parts *parts, const double *guesses, double holds)
+double lag_nearest_configuration_search(lag_nearest_configuration *s, const lag_equations *equations, const double *guesses, double holds)
 {
+    const lag_parts *parts = s->parts;
     const size_t n = parts->n;
     size_t feasible = 0;
     double worst = 0.0;
     s->equations = equations;
-    s->parts = parts;
     s->guesses = guesses;
     s->holds = holds;
     s->count = 2;
-    widen(s, s->relaxed.memory);
     lag_fill(n, 0.0, s->found[0].point);
     descend(s, &s->found[0]);
     follow(s, s->found[1].point);

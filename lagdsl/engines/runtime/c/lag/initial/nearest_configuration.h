@@ -27,7 +27,6 @@ typedef struct lag_relaxed {
     lag_levenberg_marquardt minimizer;
     lag_parts parts;
     double penalty;            /* e */
-    double *memory;            /* of the parts */
 } lag_relaxed;
 
 /* A step along the set. */
@@ -41,8 +40,9 @@ typedef struct lag_nearest_path {
 /* The bend of the set at a point. */
 typedef struct lag_nearest_bend {
     double *point;             /* (n) */
-    double *before;            /* (m, n) */
-    double *directions, *bends; /* (n, n) of all parts, one after the other: rows of as many numbers as a part has columns */
+    double *before;            /* (entries of the parts) */
+    double *square;            /* (m + n + 1) of each part: where its (columns, columns) numbers begin in the next two, */
+    double *directions, *bends; /* rows of as many numbers as a part has columns */
     double *widths;            /* (m + n) of each part: so many directions */
     double *weights, *weight;  /* (m) */
     double *hessian, *eigen, *vectors; /* (n, n) (n) (n, n) */
@@ -59,20 +59,21 @@ typedef struct lag_nearest_configuration {
     size_t count;          /* found */
     lag_nearest_path path;
     lag_nearest_bend bend;
-    double *residual, *jacobian; /* (m) (m, n) */
+    double *residual, *jacobian; /* (m) (entries of the parts) */
     double *moving, *chosen, *lengths; /* (m + n) of each part */
-    double *block, *part;        /* (m, n) or (n, n) (n) */
+    double *part;                /* (n) */
     double *svd;
 } lag_nearest_configuration;
 
+/* Doubles for parts of m rows and n columns at most. */
 size_t lag_nearest_configuration_memory(size_t m, size_t n);
-void lag_nearest_configuration_place(lag_nearest_configuration *nearest, size_t m, size_t n, double *memory);
+void lag_nearest_configuration_place(lag_nearest_configuration *nearest, const lag_parts *parts, double *memory);
 
 /*
  * Minimizes |y| subject to equations(y) = 0: `best`. If no search leads to residuals below `holds`, `best` is the point of
  * the smallest. Returns the largest of them.
  */
-double lag_nearest_configuration_search(lag_nearest_configuration *nearest, const lag_equations *equations, const lag_parts *parts, const double *guesses, double holds);
+double lag_nearest_configuration_search(lag_nearest_configuration *nearest, const lag_equations *equations, const double *guesses, double holds);
 
 /* For the parts of a search. */
 

@@ -14,7 +14,7 @@ static const double LARGEST_DAMPING = 1e8;
 
 size_t lag_parts_memory(size_t m, size_t n)
 {
-    return 4 * (m + n) + 2;
+    return 5 * (m + n) + 3;
 }
 
 /* Rows, then columns, as entries of `leader`, which leads to the first of its part. */
@@ -56,6 +56,12 @@ void lag_parts_order(lag_parts *parts)
 {
     order(parts->m, parts->row_part, parts->count, parts->row, parts->first_row);
     order(parts->n, parts->column_part, parts->count, parts->column, parts->first_column);
+    parts->first_entry[0] = 0.0;
+    for (size_t which = 0; which < parts->count; ++which) {
+        size_t first = 0;
+        const size_t entries = lag_parts_rows(parts, which, &first) * lag_parts_columns(parts, which, &first);
+        parts->first_entry[which + 1] = parts->first_entry[which] + (double)entries;
+    }
 }
 
 lag_parts lag_parts_begin(size_t m, size_t n, double *memory)
@@ -67,6 +73,7 @@ lag_parts lag_parts_begin(size_t m, size_t n, double *memory)
     parts.column = lag_take(&memory, n);
     parts.first_row = lag_take(&memory, m + n + 1);
     parts.first_column = lag_take(&memory, m + n + 1);
+    parts.first_entry = lag_take(&memory, m + n + 1);
     for (size_t i = 0; i < m + n; ++i) {
         parts.first_row[i] = (double)i;
     }
@@ -115,7 +122,7 @@ void lag_parts_mix(const lag_parts *parts, const double *chosen, const double *p
     }
 }
 
-int lag_parts_block(const lag_parts *parts, size_t which, size_t width, const double *matrix, double *block)
+int lag_parts_gather(const lag_parts *parts, size_t which, size_t width, const double *matrix, double *block)
 {
     size_t row = 0;
     size_t column = 0;
@@ -146,23 +153,22 @@ void lag_parts_norms(const lag_parts *parts, int of_rows, const double *x, doubl
 
 size_t lag_levenberg_marquardt_memory(size_t m, size_t n)
 {
-    return 3 * m * n + 3 * m + 2 * n + 4 * (m + n) + lag_svd_memory(m, n);
+    return 2 * m * n + 3 * m + 2 * n + 4 * (m + n) + lag_svd_memory(m, n);
 }
 
-void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *memory)
+void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, const lag_parts *parts, double *memory)
 {
-    minimizer->m = m;
-    minimizer->n = n;
+    const size_t m = parts->m;
+    const size_t n = parts->n;
     minimizer->residual = lag_take(&memory, m);
-    minimizer->jacobian = lag_take(&memory, m * n);
+    minimizer->jacobian = lag_take(&memory, lag_parts_entries(parts));
     minimizer->sizes = lag_take(&memory, m + n);
     minimizer->other = lag_take(&memory, m);
-    minimizer->others_jacobian = lag_take(&memory, m * n);
+    minimizer->others_jacobian = lag_take(&memory, lag_parts_entries(parts));
     minimizer->other_sizes = lag_take(&memory, m + n);
     minimizer->trial = lag_take(&memory, n);
     minimizer->damping = lag_take(&memory, m + n);
     minimizer->active = lag_take(&memory, m + n);
-    minimizer->block = lag_take(&memory, m * n);
     minimizer->right = lag_take(&memory, m);
     minimizer->part = lag_take(&memory, n);
     minimizer->svd = memory;
@@ -180,14 +186,15 @@ static void try_next(lag_levenberg_marquardt *d, const lag_parts *parts, const d
         if (d->active[which] == 0.0) {
             continue;
         }
-        if (!lag_parts_block(parts, which, parts->n, d->jacobian, d->block)) {
+        const double *block = lag_parts_block(parts, which, d->jacobian);
+        if (!lag_finite(rows * columns, block)) {
             d->active[which] = 0.0;
             continue;
         }
         for (size_t i = 0; i < rows; ++i) {
             d->right[i] = d->residual[(size_t)parts->row[row + i]];
         }
-        const lag_svd svd = lag_svd_of(rows, columns, d->block, d->svd);
+        const lag_svd svd = lag_svd_of(rows, columns, block, d->svd);
         lag_svd_solve(&svd, d->right, LAG_RANK, d->damping[which], d->part);
         for (size_t j = 0; j < columns; ++j) {
             d->trial[(size_t)parts->column[column + j]] -= d->part[j];
@@ -226,11 +233,8 @@ static void take(lag_levenberg_marquardt *d, const lag_parts *parts, size_t whic
     for (size_t i = 0; i < rows; ++i) {
         const size_t row = (size_t)parts->row[first + i];
         d->residual[row] = d->other[row];
-        for (size_t j = begin; j < begin + columns; ++j) {
-            const size_t entry = row * parts->n + (size_t)parts->column[j];
-            d->jacobian[entry] = d->others_jacobian[entry];
-        }
     }
+    memcpy(lag_parts_block(parts, which, d->jacobian), lag_parts_block(parts, which, d->others_jacobian), rows * columns * sizeof(double));
     for (size_t j = begin; j < begin + columns; ++j) {
         const size_t column = (size_t)parts->column[j];
         point[column] = d->trial[column];
@@ -240,7 +244,7 @@ static void take(lag_levenberg_marquardt *d, const lag_parts *parts, size_t whic
 void lag_descend(lag_levenberg_marquardt *d, const lag_equations *equations, const lag_parts *parts, double target, unsigned iterations,
     double *point)
 {
-    equations->evaluate(equations->context, point, d->residual, d->jacobian);
+    equations->evaluate(equations->context, parts, point, d->residual, d->jacobian);
     lag_parts_norms(parts, 1, d->residual, d->sizes);
     for (size_t which = 0; which < parts->count; ++which) {
         size_t first = 0;
@@ -255,7 +259,7 @@ void lag_descend(lag_levenberg_marquardt *d, const lag_equations *equations, con
         if (!lag_any(parts->count, d->active)) {
             break;
         }
-        equations->evaluate(equations->context, d->trial, d->other, d->others_jacobian);
+        equations->evaluate(equations->context, parts, d->trial, d->other, d->others_jacobian);
         lag_parts_norms(parts, 1, d->other, d->other_sizes);
         for (size_t which = 0; which < parts->count; ++which) {
             if (judge(d, which, target)) {
@@ -265,10 +269,10 @@ void lag_descend(lag_levenberg_marquardt *d, const lag_equations *equations, con
     }
 }
 
-double lag_levenberg_marquardt_size(const lag_levenberg_marquardt *d, const lag_equations *equations)
+double lag_levenberg_marquardt_size(const lag_levenberg_marquardt *d, const lag_parts *parts)
 {
     double sum = 0.0;
-    for (size_t i = 0; i < equations->m; ++i) {
+    for (size_t i = 0; i < parts->m; ++i) {
         sum += d->residual[i] * d->residual[i];
     }
     return isfinite(sum) ? sqrt(sum) : (double)INFINITY;

@@ -18,6 +18,7 @@ typedef struct lag_parts {
     double *row_part, *column_part;     /* (m) (n) which part it belongs to */
     double *row, *column;               /* (m) (n) ordered by parts */
     double *first_row, *first_column;   /* (count + 1) where those of a part begin, room for m + n + 1 */
+    double *first_entry;                /* (count + 1) the same of its block (rows, columns) in a matrix of all parts */
 } lag_parts;
 
 /* Iterations that descend to round-off. */
@@ -26,23 +27,22 @@ enum { LAG_DESCENTS = 100 };
 static const double LAG_DIFFERENCE = 1e-6;
 
 /*
- * Equations, scaled to be of order one: residual (m) and Jacobian (m, n) at x (n). Values that do not exist are not numbers. Entries of the
- * Jacobian outside of the parts need not be written.
+ * Equations, scaled to be of order one: residual (m) and Jacobian at x (n), which is written part by part: the block of each one begins at
+ * its `first_entry`, rows and columns in the order of the part. So memory grows with the parts, not with their square. Values that do
+ * not exist are not numbers.
  */
 typedef struct lag_equations {
-    size_t m, n;
-    void (*evaluate)(void *context, const double *x, double *residual, double *jacobian);
+    void (*evaluate)(void *context, const lag_parts *parts, const double *x, double *residual, double *jacobian);
     void *context;
 } lag_equations;
 
 typedef struct lag_levenberg_marquardt {
-    size_t m, n;                 /* room for so many */
-    double *residual, *jacobian; /* (m) (m, n) where it ended */
+    double *residual, *jacobian; /* (m) (entries of the parts) where it ended */
     double *sizes;               /* (m + n) norms of the residuals of each part, infinite where one is no number */
     double *other, *others_jacobian, *other_sizes;
     double *trial;               /* (n) */
     double *damping, *active;    /* (m + n) */
-    double *block, *right, *part; /* (m, n) (m) (n) */
+    double *right, *part;        /* (m) (n) */
     double *svd;
 } lag_levenberg_marquardt;
 
@@ -76,14 +76,27 @@ static inline size_t lag_parts_columns(const lag_parts *parts, size_t which, siz
     return (size_t)parts->first_column[which + 1] - *first;
 }
 
+/* The entries of all parts. */
+static inline size_t lag_parts_entries(const lag_parts *parts)
+{
+    return (size_t)parts->first_entry[parts->count];
+}
+
+/* The block of a part in a matrix of all parts. */
+static inline double *lag_parts_block(const lag_parts *parts, size_t which, double *matrix)
+{
+    return matrix + (size_t)parts->first_entry[which];
+}
+
 /* The entries of a matrix with `width` columns that are a part's, tightly packed. Returns 0 where one is no number. */
-int lag_parts_block(const lag_parts *parts, size_t which, size_t width, const double *matrix, double *block);
+int lag_parts_gather(const lag_parts *parts, size_t which, size_t width, const double *matrix, double *block);
 
 /* Euclidean norm of each part's entries of x: (m) of rows, (n) of columns; infinite where one is no number. */
 void lag_parts_norms(const lag_parts *parts, int of_rows, const double *x, double *norms);
 
+/* Doubles for parts of m rows and n columns at most. */
 size_t lag_levenberg_marquardt_memory(size_t m, size_t n);
-void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, size_t m, size_t n, double *memory);
+void lag_levenberg_marquardt_place(lag_levenberg_marquardt *minimizer, const lag_parts *parts, double *memory);
 
 /*
  * Reduces the residuals from `point` (n) on, which becomes the result, until they are below `target`, stall or `iterations` are used up;
@@ -93,6 +106,6 @@ void lag_descend(lag_levenberg_marquardt *minimizer, const lag_equations *equati
     double *point);
 
 /* Euclidean norm of all residuals where it ended; infinite where one is no number. */
-double lag_levenberg_marquardt_size(const lag_levenberg_marquardt *minimizer, const lag_equations *equations);
+double lag_levenberg_marquardt_size(const lag_levenberg_marquardt *minimizer, const lag_parts *parts);
 
 #endif
