@@ -42,7 +42,7 @@ static lag_parts widened(const lag_parts *parts, double *memory)
     return wide;
 }
 
-/* Where the squares of the parts begin. */
+/* The begin of the squares of the parts. */
 static void find_squares(const lag_parts *parts, double *square)
 {
     square[0] = 0.0;
