@@ -13,7 +13,7 @@ from lagdsl.foundation.resources import c_folder, sources_in
 
 # The system interface is there for its library of mathematics; nothing of it is imported. Pages carry the module, of
 # which unrolled loops are a fifth, and functions that stand in others a tenth: without these a motion takes 3 % longer.
-_SMALL = ("-fno-unroll-loops", "-mllvm", "-inline-threshold=25")
+_SMALL = ("-fno-unroll-loops", "-mllvm", "-inline-threshold=15")
 _TARGET = ("-target", "wasm32-wasi", "-mexec-model=reactor", *_SMALL)
 
 
