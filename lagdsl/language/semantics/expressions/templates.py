@@ -113,9 +113,7 @@ class _Making:
 
     def part(self, node: nodes.Expression) -> Part | None:
         """None for a text that has no template."""
-        while isinstance(node, nodes.Parenthesized):
-            node = node.inner
-        number = self._common.number(node)
+        node, number = self._spelled(node)
         if number is None:
             return None
         found = self._parts.get(number)
@@ -130,6 +128,12 @@ class _Making:
             if found is not None:
                 self._parts[number] = found
         return found
+
+    def _spelled(self, node: nodes.Expression) -> tuple[nodes.Expression, int | None]:
+        """The text without parentheses, and the number of its spelling, if it has one."""
+        while isinstance(node, nodes.Parenthesized):
+            node = node.inner
+        return node, self._common.number(node)
 
     def _is_fixed(self, number: int) -> bool:
         return self._common.names(number).isdisjoint(self._indices)
@@ -217,9 +221,7 @@ class _Making:
 
     def _number(self, node: nodes.Expression) -> Number | None:
         """The value of `node` as a function of the indices; None for a text that has more than arithmetic in it."""
-        while isinstance(node, nodes.Parenthesized):
-            node = node.inner
-        number = self._common.number(node)
+        node, number = self._spelled(node)
         if number is None:
             return None
         if self._is_fixed(number):
