@@ -72,6 +72,10 @@ class RunResults:
         self.structure.companion = self.sensitivities.address
         return self.sensitivities
 
+    def leave_out_extremes(self) -> None:
+        """Nobody looks for extremes and reversals from now on."""
+        self.structure.extremes = None
+
     def _empty(self, _context: object, _results: object) -> int:
         """Called from C, where nothing may be raised."""
         self.take()

@@ -216,7 +216,7 @@ def _motion(
         step=asked.step,
     )
     if not asked.extremes:
-        run.results.structure.extremes = None
+        run.results.leave_out_extremes()
     u = inputs if isinstance(inputs, np.ndarray) else given.at(t0)
     initial = find_start(flat, engine, run, t0, u, asked.start, sink)
     sink.raise_if_errors()

@@ -79,7 +79,7 @@ class Runs:
         relations, outputs = len(layout.instants.strict), len(layout.outputs)
         run = run_of(piece.engine.native, layout, settings, piece.engine.along)
         if not self._extremes:
-            run.results.structure.extremes = None
+            run.results.leave_out_extremes()
         run.know(first, piece.row_sizes, piece.dependent)
         stepping = Stepping(piece.engine, run, (first, last), self._most)
         status = run.begin(first, piece.x)
