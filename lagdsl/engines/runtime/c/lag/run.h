@@ -356,6 +356,8 @@ lag_status lag_run_keep_past(lag_run *run, double t);
 /* Records the rows before time t, or up to it, from the last step; the next row, at its time t and state x. */
 lag_status lag_run_rows(lag_run *run, double t, int up_to);
 lag_status lag_run_row(lag_run *run, double t, const double *x);
+/* Time of the next row; infinite: there is none. */
+double lag_run_next_row(const lag_run *run);
 /*
  * LAG_EVENT_PENDING: something happens within the last step, first at *t; run->guards.changed marks it
  * (see lag/run/scan.h).

@@ -32,6 +32,21 @@ static inline void lag_copy(size_t count, const double *from, double *to)
     }
 }
 
+/* Entries (count) of one lane into the rows (count, lanes) of several, or out of them. */
+static inline void lag_lane_put(size_t lanes, size_t lane, size_t count, const double *from, double *rows)
+{
+    for (size_t i = 0; i < count; ++i) {
+        rows[i * lanes + lane] = from[i];
+    }
+}
+
+static inline void lag_lane_get(size_t lanes, size_t lane, size_t count, const double *rows, double *to)
+{
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = rows[i * lanes + lane];
+    }
+}
+
 /* y += factor x */
 static inline void lag_axpy(size_t count, double factor, const double *x, double *y)
 {

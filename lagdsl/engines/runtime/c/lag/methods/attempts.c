@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 #include "lag/methods/step_control.h"
 
 size_t lag_attempts_memory(size_t size, size_t lanes)
@@ -48,19 +49,13 @@ void lag_attempts_make(lag_attempts *groups, size_t count)
     }
 }
 
-/* One array of a lane, and back. */
-static void put(const lag_attempts *attempts, const double *from, size_t k, double *to)
-{
-    for (size_t i = 0; i < attempts->at.size; ++i) {
-        to[i * attempts->at.lanes + k] = from[i];
-    }
-}
-
 void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
 {
     lag_lane_steps *step = &attempts->step;
+    const size_t size = attempts->at.size;
+    const size_t lanes = attempts->at.lanes;
     attempts->at.t[k] = s->t;
-    for (size_t i = k; i < LAG_ATTEMPT_LANES; i += attempts->at.lanes) {
+    for (size_t i = k; i < LAG_ATTEMPT_LANES; i += lanes) {
         attempts->at.h[i] = s->attempt.h;
     }
     step->used[k] = 1.0;
@@ -74,34 +69,26 @@ void lag_attempts_enter(lag_attempts *attempts, const lag_stepper *s, size_t k)
     step->h_most[k] = s->h_most;
     step->before[k] = lag_control_before(s->last.error);
     step->rejections[k] = (double)s->attempt.rejections;
-    put(attempts, s->x, k, attempts->x);
-    put(attempts, s->f, k, attempts->at.slope);
-    put(attempts, s->tolerance, k, attempts->tolerance);
+    lag_lane_put(lanes, k, size, s->x, attempts->x);
+    lag_lane_put(lanes, k, size, s->f, attempts->at.slope);
+    lag_lane_put(lanes, k, size, s->tolerance, attempts->tolerance);
 }
 
 void lag_attempts_open(lag_attempts *attempts, size_t k, const lag_accuracy *accuracy)
 {
     lag_lane_steps *step = &attempts->step;
     lag_lane_accuracy *own = &attempts->accuracy;
+    const size_t size = attempts->at.size;
     const size_t lanes = attempts->at.lanes;
     step->open[k] = 1.0;
     step->steps[k] = step->rejected[k] = step->evaluations[k] = 0.0;
     own->group = accuracy->group;
     own->relative = accuracy->relative;
-    put(attempts, accuracy->largest, k, own->largest);
-    for (size_t i = 0; i < attempts->at.size; ++i) {
+    lag_lane_put(lanes, k, size, accuracy->largest, own->largest);
+    for (size_t i = 0; i < size; ++i) {
         own->floor[i * lanes + k] = lag_accuracy_floor(accuracy, i);
         own->most[i * lanes + k] = lag_accuracy_most(accuracy, i);
         own->least[i * lanes + k] = lag_accuracy_least(accuracy, i);
-    }
-}
-
-/* So many arrays of a lane to where its own attempt leaves them. */
-static void deal(const lag_attempts *attempts, size_t arrays, const double *from, size_t k, double *to)
-{
-    const size_t lanes = attempts->at.lanes;
-    for (size_t i = 0; i < arrays * attempts->at.size; ++i) {
-        to[i] = from[i * lanes + k];
     }
 }
 
@@ -109,6 +96,8 @@ size_t lag_attempts_close(lag_attempts *attempts, size_t k, lag_stepper *s, lag_
 {
     lag_lane_steps *step = &attempts->step;
     lag_attempt *attempt = &s->attempt;
+    const size_t size = attempts->at.size;
+    const size_t lanes = attempts->at.lanes;
     const size_t steps = (size_t)step->steps[k];
     step->open[k] = step->accepted[k] = step->refused[k] = 0.0;
     s->counts.evaluations += (size_t)step->evaluations[k];
@@ -118,10 +107,10 @@ size_t lag_attempts_close(lag_attempts *attempts, size_t k, lag_stepper *s, lag_
         s->last.error = step->before[k];
         s->counts.steps += steps;
         s->counts.rejections += (size_t)step->rejected[k];
-        deal(attempts, 1, attempts->x, k, s->x);
-        deal(attempts, 1, attempts->at.slope, k, s->f);
-        deal(attempts, 1, attempts->tolerance, k, s->tolerance);
-        deal(attempts, 1, attempts->accuracy.largest, k, accuracy->largest);
+        lag_lane_get(lanes, k, size, attempts->x, s->x);
+        lag_lane_get(lanes, k, size, attempts->at.slope, s->f);
+        lag_lane_get(lanes, k, size, attempts->tolerance, s->tolerance);
+        lag_lane_get(lanes, k, size, attempts->accuracy.largest, accuracy->largest);
         lag_attempt_begin(s, step->limit[k]);
     }
     attempt->next = step->next[k];
@@ -145,11 +134,11 @@ static void leave(const lag_attempts *attempts, const lag_stepper *s, size_t k)
     const lag_attempt_arrays *at = &attempts->at;
     const size_t size = at->size;
     double *to = s->work;
-    deal(attempts, 1, at->slope + LAG_DOP853_END * size * at->lanes, k, to + LAG_DOP853_END * size);
+    lag_lane_get(at->lanes, k, size, at->slope + LAG_DOP853_END * size * at->lanes, to + LAG_DOP853_END * size);
     to += (LAG_DOP853_SLOPES + 1) * size;
-    deal(attempts, 1, at->x_new, k, to);
+    lag_lane_get(at->lanes, k, size, at->x_new, to);
     if (s->attempt.dense) {
-        deal(attempts, LAG_DOP853_TERMS, attempts->terms, k, to + size);
+        lag_lane_get(at->lanes, k, LAG_DOP853_TERMS * size, attempts->terms, to + size);
     }
 }
 

@@ -75,12 +75,12 @@ void lag_attempt_begin(lag_stepper *s, double limit)
 int lag_attempt_shorten(lag_stepper *s)
 {
     lag_attempt *attempt = &s->attempt;
-    const double part = isfinite(attempt->error) ? lag_control_higher(LAG_DOP853_SHRINK, lag_control_part(attempt->error)) : AFTER_TROUBLE;
+    const double part = isfinite(attempt->error) ? lag_higher(LAG_DOP853_SHRINK, lag_control_part(attempt->error)) : AFTER_TROUBLE;
     ++attempt->rejections;
     if (attempt->h <= s->h_least) {
         return 0;
     }
-    attempt->next = lag_control_higher(attempt->h * part, s->h_least);
+    attempt->next = lag_higher(attempt->h * part, s->h_least);
     attempt->made = 0;
     return 1;
 }

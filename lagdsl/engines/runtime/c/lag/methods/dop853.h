@@ -162,6 +162,17 @@ static inline lag_wide lag_wide_size(lag_wide x)
 }
 #endif
 
+/* As lag_lower() and lag_higher(), in each place. */
+LAG_ATTEMPT_INLINED lag_wide lag_wide_lower(lag_wide a, lag_wide b)
+{
+    return lag_wide_chosen(a < b, a, b);
+}
+
+LAG_ATTEMPT_INLINED lag_wide lag_wide_higher(lag_wide a, lag_wide b)
+{
+    return lag_wide_chosen(a > b, a, b);
+}
+
 /* The entry at i of the weighted slopes, added to `sum`. */
 LAG_ATTEMPT_INLINED double lag_added(size_t count, const lag_combination *c, const double *slope, size_t i, double sum)
 {

@@ -11,6 +11,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "lag/linalg/order.h"
 #include "lag/methods/dop853.h"
 #include "lag/stepper.h"
 #include "lag/trigonometry.h"
@@ -44,86 +45,77 @@ static inline double lag_chosen(int truth, double x, double y)
  * log2: by the series of the area tangent, up to its power 15. exp2: by that of the exponential function, up to its power 10. Each is two halves
  * that wait for nothing but the square of the square.
  */
-#define LAG_CONTROL(qualifiers, name, real, bits, truth, as_bits, as_real, chosen)                                            \
-    qualifiers real name##_log2(real x)                                                                                    \
-    {                                                                                                                      \
-        const bits exponent = (as_bits(x) + LAG_CONTROL_MIDDLE) >> 52;                                                      \
-        const real whole = as_real(exponent | LAG_CONTROL_WHOLE) - (4503599627370496.0 + 1023.0);                           \
-        const real part = as_real(as_bits(x) - (exponent << 52) + LAG_CONTROL_ONE);                                         \
-        const real s = (part - 1.0) / (part + 1.0);                                                                        \
-        const real z = s * s;                                                                                              \
-        const real w = z * z;                                                                                              \
-        const real even = 1.0 + w * (1.0 / 5.0 + w * (1.0 / 9.0 + w * (1.0 / 13.0)));                                       \
-        const real odd = 1.0 / 3.0 + w * (1.0 / 7.0 + w * (1.0 / 11.0 + w * (1.0 / 15.0)));                                 \
-        return whole + 2.88539008177792681472 * s * (even + z * odd);                                                      \
-    }                                                                                                                      \
-                                                                                                                           \
-    qualifiers real name##_exp2(real x)                                                                                    \
-    {                                                                                                                      \
-        const real moved = x + LAG_SINCOS_ROUND;                                                                           \
-        const real g = 0.69314718055994530942 * (x - (moved - LAG_SINCOS_ROUND));                                          \
-        const real w = g * g;                                                                                              \
+#define LAG_CONTROL(qualifiers, name, real, bits, truth, as_bits, as_real, chosen, lower, higher)                               \
+    qualifiers real name##_log2(real x)                                                                                         \
+    {                                                                                                                           \
+        const bits exponent = (as_bits(x) + LAG_CONTROL_MIDDLE) >> 52;                                                          \
+        const real whole = as_real(exponent | LAG_CONTROL_WHOLE) - (4503599627370496.0 + 1023.0);                               \
+        const real part = as_real(as_bits(x) - (exponent << 52) + LAG_CONTROL_ONE);                                             \
+        const real s = (part - 1.0) / (part + 1.0);                                                                             \
+        const real z = s * s;                                                                                                   \
+        const real w = z * z;                                                                                                   \
+        const real even = 1.0 + w * (1.0 / 5.0 + w * (1.0 / 9.0 + w * (1.0 / 13.0)));                                           \
+        const real odd = 1.0 / 3.0 + w * (1.0 / 7.0 + w * (1.0 / 11.0 + w * (1.0 / 15.0)));                                     \
+        return whole + 2.88539008177792681472 * s * (even + z * odd);                                                           \
+    }                                                                                                                           \
+                                                                                                                                \
+    qualifiers real name##_exp2(real x)                                                                                         \
+    {                                                                                                                           \
+        const real moved = x + LAG_SINCOS_ROUND;                                                                                \
+        const real g = 0.69314718055994530942 * (x - (moved - LAG_SINCOS_ROUND));                                               \
+        const real w = g * g;                                                                                                   \
         const real even = 1.0 + w * (1.0 / 2.0 + w * (1.0 / 24.0 + w * (1.0 / 720.0 + w * (1.0 / 40320.0 + w * (1.0 / 3628800.0))))); \
-        const real odd = 1.0 + w * (1.0 / 6.0 + w * (1.0 / 120.0 + w * (1.0 / 5040.0 + w * (1.0 / 362880.0))));             \
-        return (even + g * odd) * as_real((as_bits(moved) + 1023u) << 52);                                                  \
-    }                                                                                                                      \
-                                                                                                                           \
-    qualifiers real name##_lower(real a, real b)                                                                           \
-    {                                                                                                                      \
-        return chosen(a < b, a, b);                                                                                        \
-    }                                                                                                                      \
-                                                                                                                           \
-    qualifiers real name##_higher(real a, real b)                                                                          \
-    {                                                                                                                      \
-        return chosen(a > b, a, b);                                                                                        \
-    }                                                                                                                      \
-                                                                                                                           \
-    /* Of an error, the part that the next step knows. */                                                                   \
-    qualifiers real name##_before(real error)                                                                              \
-    {                                                                                                                      \
-        const real none = error * 0.0;                                                                                     \
-        return name##_higher(error, none + 1e-4);                                                                          \
-    }                                                                                                                      \
-                                                                                                                           \
-    /* Growth of the next step by an error alone: one that is lost in rounding counts as much as that. */                  \
-    qualifiers real name##_part(real error)                                                                                \
-    {                                                                                                                      \
-        const real none = error * 0.0;                                                                                     \
-        return LAG_DOP853_SAFETY * name##_exp2(-1.0 / 8.0 * name##_log2(name##_higher(error, none + DBL_EPSILON)));    \
-    }                                                                                                                      \
-                                                                                                                           \
+        const real odd = 1.0 + w * (1.0 / 6.0 + w * (1.0 / 120.0 + w * (1.0 / 5040.0 + w * (1.0 / 362880.0))));                 \
+        return (even + g * odd) * as_real((as_bits(moved) + 1023u) << 52);                                                      \
+    }                                                                                                                           \
+                                                                                                                                \
+    /* Of an error, the part that the next step knows. */                                                                       \
+    qualifiers real name##_before(real error)                                                                                   \
+    {                                                                                                                           \
+        const real none = error * 0.0;                                                                                          \
+        return higher(error, none + 1e-4);                                                                                      \
+    }                                                                                                                           \
+                                                                                                                                \
+    /* Growth of the next step by an error alone: one that is lost in rounding counts as much as that. */                       \
+    qualifiers real name##_part(real error)                                                                                     \
+    {                                                                                                                           \
+        const real none = error * 0.0;                                                                                          \
+        return LAG_DOP853_SAFETY * name##_exp2(-1.0 / 8.0 * name##_log2(higher(error, none + DBL_EPSILON)));                    \
+    }                                                                                                                           \
+                                                                                                                                \
     /* Length of the step behind one of length h and this error, for which `proposed` was proposed, after so many rejections. */ \
-    qualifiers real name##_next(real h, real proposed, real error, real before, real rejections)                           \
-    {                                                                                                                      \
-        const real none = error * 0.0;                                                                                     \
-        const real own = (0.2 * LAG_CONTROL_BETA - 1.0 / 8.0) * name##_log2(name##_higher(error, none + DBL_EPSILON)); \
-        const real factor = LAG_DOP853_SAFETY * name##_exp2(own + LAG_CONTROL_BETA * name##_log2(before));                  \
-        const real bound = name##_lower(none + LAG_CONTROL_GROW, name##_higher(none + LAG_DOP853_SHRINK, factor));          \
-        const truth fresh = rejections == none;                                                                            \
-        const real next = h * chosen(fresh, bound, name##_lower(bound, none + 1.0));                                        \
-        return chosen(fresh & (h < proposed), name##_higher(next, proposed), next);                                         \
-    }                                                                                                                      \
-                                                                                                                           \
-    /* Length of a step of which h is proposed, where `rest` is left to the limit. */                                      \
-    qualifiers real name##_length(real h, real rest)                                                                       \
-    {                                                                                                                      \
-        return chosen(h * LAG_STRETCH >= rest, rest, h);                                                                   \
-    }                                                                                                                      \
-                                                                                                                           \
-    /* The end of a step of length h from t on. */                                                                         \
-    qualifiers real name##_end(real t, real h, real limit)                                                                 \
-    {                                                                                                                      \
-        return chosen(h >= limit - t, limit, t + h);                                                                       \
+    qualifiers real name##_next(real h, real proposed, real error, real before, real rejections)                                \
+    {                                                                                                                           \
+        const real none = error * 0.0;                                                                                          \
+        const real own = (0.2 * LAG_CONTROL_BETA - 1.0 / 8.0) * name##_log2(higher(error, none + DBL_EPSILON));                 \
+        const real factor = LAG_DOP853_SAFETY * name##_exp2(own + LAG_CONTROL_BETA * name##_log2(before));                      \
+        const real bound = lower(none + LAG_CONTROL_GROW, higher(none + LAG_DOP853_SHRINK, factor));                            \
+        const truth fresh = rejections == none;                                                                                 \
+        const real next = h * chosen(fresh, bound, lower(bound, none + 1.0));                                                   \
+        return chosen(fresh & (h < proposed), higher(next, proposed), next);                                                    \
+    }                                                                                                                           \
+                                                                                                                                \
+    /* Length of a step of which h is proposed, where `rest` is left to the limit. */                                           \
+    qualifiers real name##_length(real h, real rest)                                                                            \
+    {                                                                                                                           \
+        return chosen(h * LAG_STRETCH >= rest, rest, h);                                                                        \
+    }                                                                                                                           \
+                                                                                                                                \
+    /* The end of a step of length h from t on. */                                                                              \
+    qualifiers real name##_end(real t, real h, real limit)                                                                      \
+    {                                                                                                                           \
+        return chosen(h >= limit - t, limit, t + h);                                                                            \
     }
 
-LAG_CONTROL(static inline, lag_control, double, unsigned long long, int, lag_bits, lag_of_bits, lag_chosen)
+LAG_CONTROL(static inline, lag_control, double, unsigned long long, int, lag_bits, lag_of_bits, lag_chosen, lag_lower, lag_higher)
 
 #if defined(__GNUC__)
 #define LAG_WIDE_BITS(x) ((lag_wide_bits)(x))
 #define LAG_WIDE_REAL(x) ((lag_wide)(x))
-LAG_CONTROL(LAG_ATTEMPT_INLINED, lag_wide, lag_wide, lag_wide_bits, lag_wide_truth, LAG_WIDE_BITS, LAG_WIDE_REAL, lag_wide_chosen)
+LAG_CONTROL(LAG_ATTEMPT_INLINED, lag_wide, lag_wide, lag_wide_bits, lag_wide_truth, LAG_WIDE_BITS, LAG_WIDE_REAL, lag_wide_chosen, lag_wide_lower,
+    lag_wide_higher)
 #else
-LAG_CONTROL(static inline, lag_wide, double, unsigned long long, int, lag_bits, lag_of_bits, lag_chosen)
+LAG_CONTROL(static inline, lag_wide, double, unsigned long long, int, lag_bits, lag_of_bits, lag_chosen, lag_wide_lower, lag_wide_higher)
 #endif
 
 /* Estimates of order 5 and of order 3 at i of the error of the new state, as parts of h. */

@@ -106,7 +106,7 @@ lag_status lag_run_begin(lag_run *run, double t, const double *x)
     if (status == LAG_OK && x == NULL) {
         status = find_start(run, t);
     }
-    while (run->counts.row < run->options.count && run->options.times[run->counts.row] < t) {
+    while (lag_run_next_row(run) < t) {
         ++run->counts.row;
     }
     run->counts.begun = t;

@@ -27,8 +27,12 @@ double lag_run_limit(const lag_run *run, double stop)
 
 int lag_run_looks_inside(const lag_run *run, double t)
 {
-    const lag_run_options *options = &run->options;
-    return (run->counts.row < options->count && options->times[run->counts.row] < t) || lag_guards_count(&run->guards) > 0;
+    return lag_run_next_row(run) < t || lag_guards_count(&run->guards) > 0;
+}
+
+double lag_run_next_row(const lag_run *run)
+{
+    return run->counts.row < run->options.count ? run->options.times[run->counts.row] : (double)INFINITY;
 }
 
 lag_status lag_run_row(lag_run *run, double t, const double *x)
@@ -52,10 +56,9 @@ lag_status lag_run_row(lag_run *run, double t, const double *x)
 
 lag_status lag_run_rows(lag_run *run, double t, int up_to)
 {
-    const lag_run_options *options = &run->options;
     lag_status status = LAG_OK;
-    while (status == LAG_OK && run->counts.row < options->count && options->times[run->counts.row] < t) {
-        const double time = options->times[run->counts.row];
+    while (status == LAG_OK && lag_run_next_row(run) < t) {
+        const double time = lag_run_next_row(run);
         status = lag_run_inside(run, time, run->point);
         if (status == LAG_OK && run->motion.model->na > 0) {
             status = lag_run_watch(run, time, run->point, NULL);
@@ -64,7 +67,7 @@ lag_status lag_run_rows(lag_run *run, double t, int up_to)
             status = lag_run_row(run, time, run->point);
         }
     }
-    while (status == LAG_OK && up_to && run->counts.row < options->count && options->times[run->counts.row] == t) {
+    while (status == LAG_OK && up_to && lag_run_next_row(run) == t) {
         status = lag_run_row(run, t, run->stepper.x);
     }
     return status;

@@ -24,6 +24,7 @@
 #include "lag/methods/dop853.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/projection.h"
+#include "lag/linalg/vector.h"
 #include "lag/methods/radau.h"
 #include "lag/run/results.h"
 #include "lag/sensitivities/column_sums.h"
@@ -275,19 +276,6 @@ static inline const lag_column_sums *lag_columns_sums(const lag_sensitivities *s
 static inline double *lag_columns_before(const lag_sensitivities *s, size_t size, size_t block)
 {
     return s->columns.before + block * size * s->columns.lanes;
-}
-/* Entries (count) of one lane into the rows (count, lanes) of a block, or out of them. */
-static inline void lag_lane_put(size_t lanes, size_t lane, size_t count, const double *from, double *rows)
-{
-    for (size_t i = 0; i < count; ++i) {
-        rows[i * lanes + lane] = from[i];
-    }
-}
-static inline void lag_lane_get(size_t lanes, size_t lane, size_t count, const double *rows, double *to)
-{
-    for (size_t i = 0; i < count; ++i) {
-        to[i] = rows[i * lanes + lane];
-    }
 }
 /* Entries from `row` on of one column into such blocks, which are `height` rows high, or out of them. */
 void lag_columns_put(const lag_sensitivities *s, size_t column, size_t row, size_t count, const double *from, double *blocks, size_t height);

@@ -110,12 +110,6 @@ static lag_stepper *bring(crowd *all, size_t k)
     }
 }
 
-/* The time of the row that the run waits for. */
-static double next_row(const lag_run *run)
-{
-    return run->counts.row < run->options.count ? run->options.times[run->counts.row] : (double)INFINITY;
-}
-
 /* Lane k, which has entered, goes on without its run from now on, if that may be. */
 static void open_lane(crowd *all, size_t k)
 {
@@ -128,7 +122,7 @@ static void open_lane(crowd *all, size_t k)
     if (all->opens && !(watched && (!conditions->begun || lag_any(run->motion.model->na, conditions->warned)))) {
         lag_attempts_open(attempts, place, &run->accuracy);
         lag_motions_open(all->motions + k / all->each, place, conditions);
-        attempts->step.row[place] = next_row(run);
+        attempts->step.row[place] = lag_run_next_row(run);
         attempts->step.border[place] = run->options.method == NULL ? lag_stiffness_border(&run->methods.stiffness) : (double)INFINITY;
         attempts->step.left[place] = (double)own->left;
     }
@@ -160,13 +154,13 @@ static int record_inside(crowd *all, size_t k)
     if (run->motion.model->na > 0) { /* assertions hold at rows, too */
         return 0;
     }
-    while (status == LAG_OK && next_row(run) < step->t_new[place]) {
-        lag_attempts_inside(attempts, place, next_row(run), run->point);
-        status = lag_run_row(run, next_row(run), run->point);
+    while (status == LAG_OK && lag_run_next_row(run) < step->t_new[place]) {
+        lag_attempts_inside(attempts, place, lag_run_next_row(run), run->point);
+        status = lag_run_row(run, lag_run_next_row(run), run->point);
     }
-    step->row[place] = next_row(run);
+    step->row[place] = lag_run_next_row(run);
     step->evaluations[place] += LAG_DOP853_SLOPES - LAG_DOP853_END - 1;
-    return status == LAG_OK && next_row(run) > step->t_new[place];
+    return status == LAG_OK && lag_run_next_row(run) > step->t_new[place];
 }
 
 /* 1: lane k goes on without its run. */

@@ -4,6 +4,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/order.h"
+#include "lag/linalg/vector.h"
 
 int lag_motions_can(const lag_model *model, const lag_states *states)
 {
@@ -43,18 +44,11 @@ void lag_motions_place(lag_motions *motions, const lag_model *model, const lag_s
     motions->smallest = lag_smallest_pivot(model);
 }
 
-static void put(size_t count, size_t lanes, size_t k, const double *x, double *to)
-{
-    for (size_t i = 0; i < count; ++i) {
-        to[i * lanes + k] = x[i];
-    }
-}
-
 void lag_motions_enter(lag_motions *motions, size_t k, lag_motion *motion)
 {
     motions->of[k] = motion;
     motions->prepared = 0;
-    put(motions->model->np, motions->states->lanes, k, motion->at.p, motions->p);
+    lag_lane_put(motions->states->lanes, k, motions->model->np, motion->at.p, motions->p);
 }
 
 lag_status lag_motions_take(lag_motions *motions)
@@ -63,8 +57,8 @@ lag_status lag_motions_take(lag_motions *motions)
     const size_t lanes = motions->states->lanes;
     for (size_t k = 0; k < lanes && model->nu + model->nw > 0; ++k) {
         if (motions->of[k] != NULL) {
-            put(model->nu, lanes, k, motions->of[k]->u, motions->u);
-            put(model->nw, lanes, k, motions->of[k]->w, motions->w);
+            lag_lane_put(lanes, k, model->nu, motions->of[k]->u, motions->u);
+            lag_lane_put(lanes, k, model->nw, motions->of[k]->w, motions->w);
         }
     }
     motions->known.x = NULL;
@@ -81,7 +75,7 @@ static void take_inputs(lag_motions *motions, const double *t)
         lag_motion *motion = motions->of[k];
         if (motion != NULL && motion->inputs != NULL) {
             motion->inputs(motion->context, t[k], t[k] >= motion->until, motion->u);
-            put(motions->model->nu, lanes, k, motion->u, motions->u);
+            lag_lane_put(lanes, k, motions->model->nu, motion->u, motions->u);
         }
     }
 }
@@ -149,9 +143,9 @@ void lag_motions_open(lag_motions *motions, size_t k, const lag_conditions *cond
 {
     const size_t lanes = motions->states->lanes;
     motions->tolerance = conditions->tolerance;
-    put(motions->model->ni, lanes, k, conditions->start, motions->start);
-    put(motions->model->ni, lanes, k, conditions->size, motions->size);
-    put(motions->model->ni, lanes, k, conditions->drift, motions->drift);
+    lag_lane_put(lanes, k, motions->model->ni, conditions->start, motions->start);
+    lag_lane_put(lanes, k, motions->model->ni, conditions->size, motions->size);
+    lag_lane_put(lanes, k, motions->model->ni, conditions->drift, motions->drift);
 }
 
 void lag_motions_count(lag_motions *motions, const double *accepted)
@@ -169,8 +163,6 @@ void lag_motions_count(lag_motions *motions, const double *accepted)
 void lag_motions_close(const lag_motions *motions, size_t k, lag_conditions *conditions)
 {
     const size_t lanes = motions->states->lanes;
-    for (size_t i = 0; i < motions->model->ni; ++i) {
-        conditions->size[i] = motions->size[i * lanes + k];
-        conditions->drift[i] = motions->drift[i * lanes + k];
-    }
+    lag_lane_get(lanes, k, motions->model->ni, motions->size, conditions->size);
+    lag_lane_get(lanes, k, motions->model->ni, motions->drift, conditions->drift);
 }
