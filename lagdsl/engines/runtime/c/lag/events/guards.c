@@ -135,6 +135,7 @@ void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reser
     guards->corners.far = lag_take(&memory, model->ncorner);
     guards->corners.side = memory;
     guards->pieces.span = guards->pieces.reach = 0.0;
+    guards->corners.reach = 0.0;
     guards->pieces.limit = (double)INFINITY;
     guards->sought = NULL;
     guards->time = (double)NAN;

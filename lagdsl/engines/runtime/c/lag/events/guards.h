@@ -18,6 +18,7 @@ typedef struct lag_corners {
     double *far;                   /* (ncorner) distances */
     double *side;                  /* (ncorner) 1 or -1: the side on which this one is positive, 0: not looked at */
     int solved;                    /* they read accelerations or multipliers */
+    double reach;                  /* samples of a step that is no longer tell the shape of distances [s]; 0: not yet */
 } lag_corners;
 
 /* Values on pieces of a step, for those who look for the time of a change (run_scan.c). */

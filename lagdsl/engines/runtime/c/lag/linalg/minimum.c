@@ -34,6 +34,16 @@ double lag_piece_error(const double *values, double *parabola)
     return DIFFERENCE * fabs(d[LAG_LAST_SAMPLE]);
 }
 
+double lag_piece_doubt(const double *values)
+{
+    double parabola = 0.0;
+    double most = 0.0;
+    for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
+        most = fmax(most, fabs(values[k]));
+    }
+    return most > 0.0 ? lag_piece_error(values, &parabola) / most : 0.0;
+}
+
 double lag_piece_length(double w, double doubt)
 {
     const double factor = doubt > 0.0 ? SAFETY * pow(LAG_KNOWN_PART / doubt, 0.25) : MOST_FACTOR;

@@ -28,6 +28,9 @@ static inline void lag_triple_put(lag_triple *at, int k, double u, double v)
 /* Difference of the polynomials through values at the places of a piece; *parabola: error of parabolas through three of them. */
 double lag_piece_error(const double *values, double *parabola);
 
+/* The error of values at the places of a piece, as a part of the largest of them. */
+double lag_piece_doubt(const double *values);
+
 /* The length of the next piece after one of length w whose values are known up to this part of them: it goes with the fourth power. */
 double lag_piece_length(double w, double doubt);
 

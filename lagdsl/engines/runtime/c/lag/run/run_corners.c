@@ -8,8 +8,6 @@
 #include "lag/run/scan.h"
 
 enum { SAMPLES = LAG_LAST_SAMPLE, TURNS = 8, PATTERNS = 3 };
-/* Samples of a step, as parts of it, behind its beginning; no two distances are alike. */
-static const double PLACES[SAMPLES] = {0.2071, 0.4583, 0.7361, 1.0};
 /* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
 static const double BESIDE = 1e-6;
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
@@ -66,11 +64,35 @@ static lag_status sample(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
     lag_status status = evaluate_distances(run, s->t_before, s->x_before, run->guards.pieces.seen[0]);
-    for (int k = 0; k < SAMPLES && status == LAG_OK; ++k) {
-        between(run, PLACES[k]);
-        status = evaluate_distances(run, s->t_before + PLACES[k] * (s->t - s->t_before), k == SAMPLES - 1 ? s->x : run->point, run->guards.pieces.seen[k + 1]);
+    for (int k = 1; k <= SAMPLES && status == LAG_OK; ++k) {
+        const double place = LAG_SAMPLE_PLACES[k];
+        between(run, place);
+        status = evaluate_distances(run, s->t_before + place * (s->t - s->t_before), k == SAMPLES ? s->x : run->point, run->guards.pieces.seen[k]);
     }
     return status;
+}
+
+/* The samples of corner i, in their order. */
+static void samples_of(const lag_run *run, size_t i, double *values)
+{
+    for (int k = 0; k <= SAMPLES; ++k) {
+        values[k] = run->guards.pieces.seen[k][i];
+    }
+}
+
+/* True if the samples tell the shapes of all distances: a motion that turns round and round between them has not been followed up to such long steps. */
+static int are_known(lag_run *run)
+{
+    const double h = run->stepper.t - run->stepper.t_before;
+    double doubt = 0.0;
+    for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
+        double values[LAG_PIECE_SAMPLES];
+        samples_of(run, i, values);
+        doubt = fmax(doubt, lag_piece_doubt(values));
+    }
+    const int known = h <= run->guards.corners.reach && doubt <= LAG_KNOWN_PART;
+    run->guards.corners.reach = lag_piece_length(h, doubt);
+    return known;
 }
 
 /* The difference of the largest and the smallest distance of corner i. */
@@ -151,8 +173,9 @@ lag_status lag_run_face_corners(lag_run *run)
         return LAG_OK;
     }
     lag_status status = sample(run);
+    const int known = status == LAG_OK && are_known(run);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        run->guards.corners.side[i] = is_near(run, i);
+        run->guards.corners.side[i] = !known || is_near(run, i);
         near = near || run->guards.corners.side[i] != 0.0;
     }
     if (near) {
