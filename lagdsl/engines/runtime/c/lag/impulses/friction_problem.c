@@ -229,21 +229,26 @@ static double size_of(const scaled *s)
     return most;
 }
 
-/* From s->lam, which is the best that was found afterwards; its residual, as a part of its size. */
+/*
+ * From s->lam, which is the best that was found afterwards; its residual, as a part of its size. A solution is improved until two steps in a row do not:
+ * the first one may change what slips, and the second one then leads to the solution of that.
+ */
 static double improve(scaled *s)
 {
     const size_t n = s->size;
     double least = evaluate_projection(s) / size_of(s);
+    int vain = 0;
     memcpy(s->best, s->lam, n * sizeof(double));
     for (int k = 0; (k < MOST_STEPS || least < LAG_SOLVED) && least > ROUNDING; ++k) {
         const lag_svd svd = lag_svd_of(n, n, s->slope, s->work);
         lag_svd_solve(&svd, s->rest, LAG_KNOWN_ROWS, 0.0, s->change);
         lag_axpy(n, -1.0, s->change, s->lam);
         const double left = evaluate_projection(s) / size_of(s);
-        if (left < least) {
+        vain = left < least ? 0 : vain + 1;
+        if (vain == 0) {
             least = left;
             memcpy(s->best, s->lam, n * sizeof(double));
-        } else if (!(left < (double)INFINITY) || least < LAG_SOLVED) {
+        } else if (!(left < (double)INFINITY) || (vain > 1 && least < LAG_SOLVED)) {
             break;
         }
     }
