@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from lagdsl.documents.plot.terminal import sketch
 from lagdsl.interfaces.cli.text_table import aligned
 from lagdsl.motion.signals.moved import moved_text
@@ -9,6 +11,8 @@ from lagdsl.motion.signals.trajectory import Column, Event, Trajectory
 
 _MOST_KINDS = 16
 _LONGEST_NAME = 40
+# A number below this part of the largest of its column is a rounding error of that: the table shows zero.
+_ROUNDING = 1e-12
 
 
 def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], curves: bool) -> str:
@@ -32,8 +36,10 @@ def _table(trajectory: Trajectory) -> str:
 
 
 def _row(column: Column) -> tuple[str, ...]:
-    numbers = (column.values[0], column.values[-1], column.lowest, column.highest)
-    return (column.name, *(f"{column.display(float(x)):.5g}" for x in numbers), column.display.unit)
+    numbers = [float(x) for x in (column.values[0], column.values[-1], column.lowest, column.highest)]
+    least = _ROUNDING * max(abs(column.lowest), abs(column.highest))
+    shown = (column.display(0.0 if abs(x) <= least < inf else x) for x in numbers)
+    return (column.name, *(f"{x:.5g}" for x in shown), column.display.unit)
 
 
 def _events(events: tuple[Event, ...]) -> str:
