@@ -51,10 +51,7 @@ typedef struct lag_contacts {
     double *work;            /* (4 nq) */
 } lag_contacts;
 
-/* Doubles for them. */
-size_t lag_contacts_memory(const lag_model *model);
-
-void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory);
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *layout);
 
 /* The motion passed through x: magnitudes. */
 void lag_contacts_follow(lag_contacts *contacts, const double *x);

@@ -28,10 +28,7 @@ typedef struct lag_frictions {
     double *reserve;           /* (ncontact + nfriction) what lag/contacts/reserve.h finds where forces are undetermined; else no numbers */
 } lag_frictions;
 
-/* Doubles for them. */
-size_t lag_frictions_memory(const lag_model *model);
-
-void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory);
+void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, lag_layout *layout);
 
 /* Slips and limits at the state at which `motion` was evaluated last, with its accelerations and multipliers. */
 lag_status lag_frictions_evaluate(lag_frictions *frictions);

@@ -17,32 +17,21 @@ static const double CANDIDATE = 2.0;
 /* The problem is solved again, so often, as limits may depend on other forces than its own. */
 enum { MOST_TIMES = 20 };
 
-size_t lag_modes_memory(const lag_model *model)
-{
-    const size_t n = model->nq;
-    return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw +
-           model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc +
-           lag_loads_memory(model);
-}
-
-void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory)
+void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
-    const size_t n = model->nq;
-    *modes = (lag_modes){.motion = contacts->motion, .places = lag_places_of(model), .contacts = contacts, .frictions = frictions};
-    modes->impulse = contacts->impulse;
-    lag_inequalities_place(&modes->rows, model, lag_take(&memory, lag_inequalities_memory(model)));
-    lag_reserve_place(&modes->reserve, frictions, lag_take(&memory, lag_reserve_memory(model)));
-    modes->w = lag_take(&memory, model->nw);
-    modes->touched = lag_take(&memory, n + model->nz);
-    modes->normal = lag_take(&memory, model->ncontact);
-    lag_take_all(&memory, model->nfriction, (double **const[]){&modes->loose, &modes->kinetic, &modes->began, NULL});
-    modes->heading = lag_take(&memory, model->nslip);
-    modes->force = lag_take(&memory, n);
-    modes->qdd = lag_take(&memory, n);
-    modes->jacobian = contacts->motion->written.sought;
-    modes->gamma = lag_take(&memory, model->nc);
-    lag_loads_place(&modes->loads, model, memory);
+    *modes = (lag_modes){.motion = contacts->motion, .places = lag_places_of(model), .contacts = contacts, .frictions = frictions,
+        .impulse = contacts->impulse, .jacobian = contacts->motion->written.sought};
+    lag_inequalities_place(&modes->rows, model, layout);
+    lag_reserve_place(&modes->reserve, frictions, layout);
+    modes->w = lag_lay(layout, model->nw);
+    modes->touched = lag_lay(layout, model->nq + model->nz);
+    modes->normal = lag_lay(layout, model->ncontact);
+    lag_lay_all(layout, model->nfriction, (double **const[]){&modes->loose, &modes->kinetic, &modes->began, NULL});
+    modes->heading = lag_lay(layout, model->nslip);
+    lag_lay_all(layout, model->nq, (double **const[]){&modes->force, &modes->qdd, NULL});
+    modes->gamma = lag_lay(layout, model->nc);
+    lag_loads_place(&modes->loads, model, layout);
 }
 
 /* ---- what is looked for ---- */

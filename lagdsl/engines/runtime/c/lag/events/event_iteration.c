@@ -10,47 +10,29 @@ enum { MOST_PASSES = 100 };
 /* Largest residual at which a constraint that discretes switch may become active, as a part of the size of its row. */
 static const double TORN = 1e-6;
 
-size_t lag_event_iteration_memory(const lag_model *model)
-{
-    return 4 * model->nw + 2 * model->nreset + 2 * model->ncollision + model->nstop + model->nfail +
-           2 * lag_motion_size(model) + model->nz + 4 * model->nindicator + 3 * model->ncontact + 2 * model->nfriction + model->nslip +
-           lag_position_maps_memory(model);
-}
-
 void lag_event_iteration_place(
     lag_event_iteration *iteration, lag_contacts *contacts, lag_impulse *impulse, lag_timed *timed, lag_projection *projection, lag_noise *noise,
-    double *memory)
+    lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
     const size_t size = lag_motion_size(model);
-    memset(iteration, 0, sizeof *iteration);
-    iteration->motion = contacts->motion;
-    iteration->contacts = contacts;
-    iteration->impulse = impulse;
-    iteration->timed = timed;
-    iteration->projection = projection;
-    iteration->noise = noise;
-    iteration->places = lag_places_of(model);
-    iteration->instant.moment = 1e-9;
-    lag_take_all(&memory, model->nw, (double **const[]){&iteration->discretes.before, &iteration->discretes.next, &iteration->discretes.guilty,
+    lag_clauses *clauses = &iteration->clauses;
+    *iteration = (lag_event_iteration){.motion = contacts->motion, .contacts = contacts, .impulse = impulse, .timed = timed, .projection = projection,
+        .noise = noise, .places = lag_places_of(model), .instant.moment = 1e-9};
+    lag_lay_all(layout, model->nw, (double **const[]){&iteration->discretes.before, &iteration->discretes.next, &iteration->discretes.guilty,
         &iteration->discretes.settled, NULL});
-    memset(iteration->discretes.settled, 0, model->nw * sizeof(double));
-    iteration->clauses.reset = lag_take(&memory, model->nreset);
-    iteration->clauses.value = lag_take(&memory, model->nreset);
-    iteration->clauses.collision = lag_take(&memory, model->ncollision);
-    iteration->clauses.restitution = lag_take(&memory, model->ncollision);
-    iteration->clauses.stop = lag_take(&memory, model->nstop);
-    iteration->clauses.fail = lag_take(&memory, model->nfail);
-    iteration->clauses.held = lag_take(&memory, size);
-    iteration->trial.point = lag_take(&memory, size);
-    iteration->trial.states = lag_take(&memory, model->nz);
-    lag_take_all(&memory, model->nindicator, (double **const[]){&iteration->sides.now, &iteration->sides.side, &iteration->sides.before,
+    lag_lay_all(layout, model->nreset, (double **const[]){&clauses->reset, &clauses->value, NULL});
+    lag_lay_all(layout, model->ncollision, (double **const[]){&clauses->collision, &clauses->restitution, NULL});
+    clauses->stop = lag_lay(layout, model->nstop);
+    clauses->fail = lag_lay(layout, model->nfail);
+    lag_lay_all(layout, size, (double **const[]){&clauses->held, &iteration->trial.point, NULL});
+    iteration->trial.states = lag_lay(layout, model->nz);
+    lag_lay_all(layout, model->nindicator, (double **const[]){&iteration->sides.now, &iteration->sides.side, &iteration->sides.before,
         &iteration->sides.truth, NULL});
-    iteration->closed = lag_take(&memory, model->ncontact);
-    iteration->pulling = lag_take(&memory, model->ncontact);
-    iteration->leaving.flags = lag_take(&memory, model->ncontact + model->nfriction);
-    iteration->leaving.frictions = lag_take(&memory, model->nfriction + model->nslip);
-    lag_position_maps_place(&iteration->maps, iteration->motion, memory);
+    lag_lay_all(layout, model->ncontact, (double **const[]){&iteration->closed, &iteration->pulling, NULL});
+    iteration->leaving.flags = lag_lay(layout, model->ncontact + model->nfriction);
+    iteration->leaving.frictions = lag_lay(layout, model->nfriction + model->nslip);
+    lag_position_maps_place(&iteration->maps, iteration->motion, layout);
 }
 
 lag_status lag_event_iteration_report(const lag_event_iteration *iteration, double t, const double *x, lag_event_kind what, size_t which)

@@ -90,12 +90,9 @@ typedef struct lag_event_iteration {
     double *closed, *pulling; /* (ncontact) */
 } lag_event_iteration;
 
-/* Doubles for them. */
-size_t lag_event_iteration_memory(const lag_model *model);
-
 void lag_event_iteration_place(
     lag_event_iteration *iteration, lag_contacts *contacts, lag_impulse *impulse, lag_timed *timed, lag_projection *projection, lag_noise *noise,
-    double *memory);
+    lag_layout *layout);
 
 /* Relations and conditions as they stand, nothing carried out. */
 lag_status lag_event_iteration_initialize(lag_event_iteration *iteration, double t, const double *x);

@@ -110,41 +110,23 @@ double lag_guards_known(const lag_guards *guards, size_t which)
 
 /* ---- memory ---- */
 
-size_t lag_guards_memory(const lag_model *model)
-{
-    const size_t count = lag_guard_count(model) + model->ncorner;
-    return 5 * model->nindicator + 2 * model->ncorner + (8 + LAG_PIECE_SAMPLES) * count;
-}
-
-void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
+void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, lag_layout *layout)
 {
     const lag_model *model = motion->model;
     const size_t count = lag_guard_count(model) + model->ncorner;
-    guards->motion = motion;
-    guards->places = lag_places_of(model);
-    guards->contacts = reserve->frictions->contacts;
-    guards->frictions = reserve->frictions;
-    guards->reserve = reserve;
-    guards->noise = noise;
-    lag_take_all(&memory, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
+    *guards = (lag_guards){.motion = motion, .places = lag_places_of(model), .contacts = reserve->frictions->contacts, .frictions = reserve->frictions,
+        .reserve = reserve, .noise = noise, .time = (double)NAN};
+    lag_lay_all(layout, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
         &guards->pieces.found, &guards->pieces.sought, NULL});
     for (size_t k = 0; k < LAG_PIECE_SAMPLES; ++k) {
-        guards->pieces.seen[k] = lag_take(&memory, count);
+        guards->pieces.seen[k] = lag_lay(layout, count);
     }
-    lag_take_all(&memory, model->nindicator, (double **const[]){&guards->pieces.when, &guards->held, &guards->swing, &guards->doubted, &guards->g, NULL});
-    guards->corners.far = lag_take(&memory, model->ncorner);
-    guards->corners.side = memory;
-    guards->pieces.span = guards->pieces.reach = 0.0;
+    guards->pieces.when = lag_lay_filled(layout, model->nindicator, -(double)INFINITY);
+    guards->swing = lag_lay_filled(layout, model->nindicator, (double)INFINITY);
+    guards->doubted = lag_lay_filled(layout, model->nindicator, (double)INFINITY);
+    lag_lay_all(layout, model->nindicator, (double **const[]){&guards->held, &guards->g, NULL});
+    lag_lay_all(layout, model->ncorner, (double **const[]){&guards->corners.far, &guards->corners.side, NULL});
     guards->pieces.limit = (double)INFINITY;
-    guards->sought = NULL;
-    guards->time = (double)NAN;
-    lag_fill(count, 0.0, guards->depth);
-    lag_fill(count, 0.0, guards->band);
-    lag_fill(count, 0.0, guards->top);
-    lag_fill(model->nindicator, 0.0, guards->held);
-    lag_fill(model->nindicator, -(double)INFINITY, guards->pieces.when);
-    lag_fill(model->nindicator, (double)INFINITY, guards->swing);
-    lag_fill(model->nindicator, (double)INFINITY, guards->doubted);
 }
 
 /* ---- looks ---- */

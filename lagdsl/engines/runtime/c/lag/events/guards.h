@@ -57,10 +57,8 @@ static inline size_t lag_guard_count(const lag_model *model)
     return model->nindicator + model->ncontact + model->nfriction;
 }
 
-/* Doubles for it. */
-size_t lag_guards_memory(const lag_model *model);
-
-void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
+/* Lays them out; arrays of a new layout are zero. */
+void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, lag_layout *layout);
 
 /* So many guards are watched: relations, contacts, friction, corners. */
 size_t lag_guards_count(const lag_guards *guards);

@@ -10,36 +10,25 @@
 /* An instant is known to so many roundings of the last step. */
 static const double ULPS = 4096.0;
 
-size_t lag_instants_memory(const lag_model *model)
-{
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_frictions_memory(model) + lag_modes_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
-           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
-}
-
-void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, lag_layout *layout)
 {
     const lag_model *model = motion->model;
     const double infinite = (double)INFINITY;
-    memset(instants, 0, sizeof *instants);
-    instants->motion = motion;
-    instants->places = lag_places_of(model);
-    instants->clock = clock;
-    instants->first = memory;
-    instants->period = instants->first + model->nclock;
-    memory = instants->period + model->nclock;
-    lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
+    *instants = (lag_instants){.motion = motion, .places = lag_places_of(model), .clock = clock};
+    lag_lay_all(layout, model->nclock, (double **const[]){&instants->first, &instants->period, NULL});
+    lag_contacts_place(&instants->contacts, motion, layout);
     instants->contacts.limits = projection->limits;
     instants->contacts.impulse = &instants->impulse;
     instants->contacts.frictions = &instants->frictions;
-    lag_frictions_place(&instants->frictions, motion, &instants->contacts, lag_take(&memory, lag_frictions_memory(model)));
-    lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, lag_take(&memory, lag_modes_memory(model)));
-    lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
-    lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
-    lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
-    lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
-    instants->x_before = lag_take(&memory, lag_motion_size(model));
-    instants->w_before = lag_take(&memory, model->nw);
-    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
+    lag_frictions_place(&instants->frictions, motion, &instants->contacts, layout);
+    lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, layout);
+    lag_noise_place(&instants->noise, motion, layout);
+    lag_impulse_place(&instants->impulse, motion, layout);
+    lag_timed_place(&instants->timed, motion, layout);
+    lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, layout);
+    instants->x_before = lag_lay(layout, lag_motion_size(model));
+    instants->w_before = lag_lay(layout, model->nw);
+    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, layout);
     instants->iteration.refraction = &instants->refraction;
     instants->iteration.modes = &instants->modes;
     instants->iteration.instant.from = instants->x_before;

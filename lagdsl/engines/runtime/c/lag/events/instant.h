@@ -28,10 +28,8 @@ typedef struct lag_instants {
     double late;             /* an event may be carried out so long after its zero, as an importer finds it [s]; the run's own: 0 */
 } lag_instants;
 
-/* Doubles for them, beside nclock clocks. */
-size_t lag_instants_memory(const lag_model *model);
-
-void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory);
+/* Lays them out, beside nclock clocks; arrays of a new layout are zero. */
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, lag_layout *layout);
 
 /*
  * The start at x = (q, qd, z): discretes, relations as they stand, contacts that carry, and what is to be done there. LAG_PENETRATION:

@@ -28,49 +28,28 @@ static size_t all_of(const lag_model *model)
     return count_of(model) + 2 * model->nindicator;
 }
 
-size_t lag_noise_memory(const lag_model *model)
+void lag_noise_place(lag_noise *noise, lag_motion *motion, lag_layout *layout)
 {
+    const lag_model *model = motion->model;
     const size_t unknown = model->nu + model->nq + model->nc;
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 2 * model->nindicator : 0;
-}
-
-/* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
-static void leave_unknown(lag_noise *noise, double *unknown)
-{
-    lag_motion *motion = noise->motion;
-    const lag_model *model = motion->model;
-    lag_fill(model->nu + model->nq + model->nc, (double)NAN, unknown);
-    motion->at.du = unknown;
-    motion->at.dqdd = unknown + model->nu;
-    motion->at.dlam = unknown + model->nu + model->nq;
-}
-
-void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
-{
-    const lag_model *model = motion->model;
-    const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
-    const size_t inputs = count_of(model) > 0 ? model->nu : 0;
-    noise->motion = motion;
-    noise->tolerance = 0.0;
-    noise->peak = lag_take(&memory, size + inputs);
-    noise->point = lag_take(&memory, size);
-    noise->u = lag_take(&memory, inputs);
-    lag_take_all(&memory, all_of(model), (double **const[]){&noise->value, &noise->other, &noise->opposite, &noise->sigma, NULL});
-    if (size > 0) {
-        leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
+    *noise = (lag_noise){.motion = motion, .peak = lag_lay(layout, lag_motion_size(model) + model->nu)};
+    if (count_of(model) == 0) {
+        return;
     }
-    noise->largest = memory;
-    memset(noise->peak, 0, (size + inputs) * sizeof(double));
-    memset(noise->sigma, 0, all_of(model) * sizeof(double));
-    memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
+    noise->point = lag_lay(layout, lag_motion_size(model));
+    noise->u = lag_lay(layout, model->nu);
+    lag_lay_all(layout, all_of(model), (double **const[]){&noise->value, &noise->other, &noise->opposite, &noise->sigma, NULL});
+    noise->largest = lag_lay(layout, 2 * model->nindicator);
+    /* rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers */
+    const double *none = lag_lay_filled(layout, unknown, (double)NAN);
+    motion->at.du = motion->at.dqdd = motion->at.dlam = none;
 }
 
 void lag_noise_follow(lag_noise *noise, const double *x)
 {
     const lag_model *model = noise->motion->model;
     const size_t size = lag_motion_size(model);
-    const size_t count = count_of(model) > 0 ? size + model->nu : 0;
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < size + model->nu; ++i) {
         const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
         noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
     }

@@ -9,6 +9,7 @@
 
 #include "lag/equations/motion.h"
 #include "lag/equations/projection.h"
+#include "lag/linalg/arena.h"
 
 /* A value beyond this many times its last known rounding error is clear of it. */
 static const double LAG_CLEARLY = 1e6;
@@ -23,10 +24,7 @@ typedef struct lag_noise {
     double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
 } lag_noise;
 
-/* Doubles for it. */
-size_t lag_noise_memory(const lag_model *model);
-
-void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
+void lag_noise_place(lag_noise *noise, lag_motion *motion, lag_layout *layout);
 
 /* The motion passed through x, with the inputs that it has. */
 void lag_noise_follow(lag_noise *noise, const double *x);

@@ -27,21 +27,16 @@ typedef struct lag_side {
     double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
 } lag_side;
 
-size_t lag_refraction_memory(const lag_model *model)
-{
-    return 4 * model->nq + 2 * lag_motion_size(model) + 4 * model->nindicator + model->nc * (model->nq + 1) + model->ngap;
-}
-
-void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *noise, double *memory)
+void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *noise, lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
     *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise, .places = contacts->places};
-    lag_take_all(&memory, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
-    lag_take_all(&memory, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
-    lag_take_all(&memory, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
-    r->rows = lag_take(&memory, model->nc * model->nq);
-    r->speeds = lag_take(&memory, model->nc);
-    r->gap_speeds = memory;
+    lag_lay_all(layout, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
+    lag_lay_all(layout, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
+    lag_lay_all(layout, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
+    r->rows = lag_lay(layout, model->nc * model->nq);
+    r->speeds = lag_lay(layout, model->nc);
+    r->gap_speeds = lag_lay(layout, model->ngap);
 }
 
 /* ---- both sides ---- */

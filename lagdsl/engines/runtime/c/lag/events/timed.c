@@ -17,22 +17,13 @@ enum { HALVES = 20 };
 /* until cubics are off by less than this part of what is seen. */
 static const double OFF = 0.01;
 
-size_t lag_timed_memory(const lag_model *model)
-{
-    return 3 * model->ntimed + 8 * model->ndistance;
-}
-
-void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
+void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    memset(timed, 0, sizeof *timed);
-    timed->motion = motion;
-    timed->first = lag_places_of(model).timed;
-    timed->next = (double)INFINITY;
-    lag_take_all(&memory, model->ntimed, (double **const[]){&timed->value, &timed->told, &timed->before, NULL});
-    lag_take_all(&memory, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->change,
-        &timed->old_distance, &timed->old_rate, NULL});
-    timed->zero = memory;
+    *timed = (lag_timed){.motion = motion, .first = lag_places_of(model).timed, .next = (double)INFINITY};
+    lag_lay_all(layout, model->ntimed, (double **const[]){&timed->value, &timed->told, &timed->before, NULL});
+    lag_lay_all(layout, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->change,
+        &timed->old_distance, &timed->old_rate, &timed->zero, NULL});
 }
 
 static lag_status evaluate(lag_timed *timed, double t)

@@ -11,6 +11,7 @@
 
 #include "lag/equations/discretes.h"
 #include "lag/equations/motion.h"
+#include "lag/linalg/arena.h"
 
 typedef struct lag_timed {
     lag_motion *motion;
@@ -24,10 +25,7 @@ typedef struct lag_timed {
     double *old_distance, *old_rate;          /* (ndistance) with the entries before the change */
 } lag_timed;
 
-/* Doubles for them. */
-size_t lag_timed_memory(const lag_model *model);
-
-void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory);
+void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout);
 
 /* Entries are what they are at time t, */
 lag_status lag_timed_set(lag_timed *timed, double t);
