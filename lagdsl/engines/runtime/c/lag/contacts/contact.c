@@ -19,7 +19,7 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *
 {
     const lag_model *model = motion->model;
     lag_blows *blows = &contacts->blows;
-    *contacts = (lag_contacts){.motion = motion, .places = lag_places_of(model), .jacobian = motion->written.gaps};
+    *contacts = (lag_contacts){.motion = motion, .jacobian = motion->written.gaps};
     lag_lay_all(layout, model->ngap, (double **const[]){&contacts->gap, &contacts->speed, &blows->part, NULL});
     lag_inequalities_place(&blows->rows, model, layout);
     lag_lay_all(layout, model->ncontact, (double **const[]){&contacts->sizes.force, &contacts->sizes.blow, &contacts->restitution, &contacts->capture_speed,

@@ -102,16 +102,6 @@ lag_status lag_contacts_evaluate_at(lag_contacts *contacts, double t, const doub
     return lag_contacts_evaluate(contacts);
 }
 
-void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
-{
-    lag_motion *motion = contacts->motion;
-    if (lag_motion_solve(motion, t, x) != LAG_OK) {
-        for (size_t i = 0; i < motion->model->nc; ++i) {
-            motion->lam[i] = (double)NAN;
-        }
-    }
-}
-
 /* The multiplier of one contact that would cancel the accelerations that the forces give its coordinates, each by itself. */
 static double force_of(const lag_contacts *contacts, size_t i, int weighted)
 {

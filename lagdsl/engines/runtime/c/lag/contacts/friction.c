@@ -22,7 +22,7 @@ static const double NO_SHARED_FORCE = 1e-10;
 void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    *frictions = (lag_frictions){.motion = motion, .places = lag_places_of(model), .contacts = contacts};
+    *frictions = (lag_frictions){.motion = motion, .contacts = contacts};
     lag_lay_all(layout, model->nfriction, (double **const[]){&frictions->first, &frictions->limit, &frictions->sticking, &frictions->force, NULL});
     lag_lay_all(layout, model->nfriction * model->nc, (double **const[]){&frictions->gain, &frictions->sticking_gain, NULL});
     lag_lay_all(layout, model->nslip, (double **const[]){&frictions->slip, &frictions->reference, &frictions->fast, NULL});

@@ -13,7 +13,6 @@
 
 typedef struct lag_frictions {
     lag_motion *motion;
-    lag_places places;
     lag_contacts *contacts;    /* the largest rates so far are theirs */
     double *first;             /* (nfriction) the first component of the slip of each */
     double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state evaluated last, */
@@ -56,13 +55,13 @@ double lag_frictions_speed_band(const lag_frictions *frictions, size_t k);
 
 static inline double *lag_frictions_sticks(const lag_frictions *frictions, size_t k)
 {
-    return frictions->motion->w + frictions->places.sticks + k;
+    return frictions->motion->w + frictions->motion->places.sticks + k;
 }
 
 /* The components of its direction in w. */
 static inline double *lag_frictions_direction(const lag_frictions *frictions, size_t k)
 {
-    return frictions->motion->w + frictions->places.direction + (size_t)frictions->first[k];
+    return frictions->motion->w + frictions->motion->places.direction + (size_t)frictions->first[k];
 }
 
 static inline size_t lag_frictions_components(const lag_frictions *frictions, size_t k)

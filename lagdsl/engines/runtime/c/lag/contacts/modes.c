@@ -20,7 +20,7 @@ enum { MOST_TIMES = 20 };
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
-    *modes = (lag_modes){.motion = contacts->motion, .places = lag_places_of(model), .contacts = contacts, .frictions = frictions,
+    *modes = (lag_modes){.motion = contacts->motion, .contacts = contacts, .frictions = frictions,
         .impulse = contacts->impulse, .jacobian = contacts->motion->written.sought};
     lag_inequalities_place(&modes->rows, model, layout);
     lag_reserve_place(&modes->reserve, frictions, layout);
@@ -108,7 +108,7 @@ static int find_touched(lag_modes *modes, const double *left)
 
 void lag_modes_release_frictions(lag_modes *modes)
 {
-    lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->places.sticks);
+    lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->motion->places.sticks);
     modes->jumped = 1;
 }
 
@@ -186,7 +186,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
             modes->loose[k] = acts;
         }
         /* what begins to slip goes on with the limit of sliding, if that solves the problem */
-        modes->began[k] = acts && !gone && !stuck && lag_frictions_length(frictions, frictions->motion->w + modes->places.direction, k) > 0.0;
+        modes->began[k] = acts && !gone && !stuck && lag_frictions_length(frictions, frictions->motion->w + modes->motion->places.direction, k) > 0.0;
     }
 }
 
@@ -203,7 +203,7 @@ static int is_consistent(const lag_modes *modes)
 /* Limits and reserves with the forces of the present modes. */
 static lag_status evaluate_forces(lag_modes *modes, double t, const double *x)
 {
-    lag_contacts_solve(modes->contacts, t, x);
+    lag_motion_try(modes->motion, t, x);
     const lag_status status = lag_frictions_evaluate(modes->frictions);
     return status == LAG_OK ? lag_reserve_evaluate(&modes->reserve) : status;
 }

@@ -16,7 +16,6 @@
 
 typedef struct lag_modes {
     lag_motion *motion;
-    lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
     lag_reserve reserve;

@@ -375,7 +375,7 @@ lag_status lag_reserve_evaluate(lag_reserve *r)
     }
     memcpy(r->force, r->motion->lam, model->nc * sizeof(double));
     lag_fill(model->ncontact + model->nfriction, (double)NAN, r->frictions->reserve);
-    if (!lag_any(model->nfriction, r->motion->w + r->frictions->places.sticks)) {
+    if (!lag_any(model->nfriction, r->motion->w + r->motion->places.sticks)) {
         return LAG_OK;
     }
     lag_status status = find_lengths(r);

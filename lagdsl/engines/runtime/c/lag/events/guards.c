@@ -15,7 +15,7 @@ size_t lag_guards_count(const lag_guards *guards)
 
 static int is_closed(const lag_guards *guards, size_t k)
 {
-    return guards->motion->w[guards->places.contact + k] != 0.0;
+    return guards->motion->w[guards->motion->places.contact + k] != 0.0;
 }
 
 /* Finds the terms of all values, where `motion` is. */
@@ -33,7 +33,7 @@ static lag_status look(lag_guards *guards)
 
 static double relation(const lag_guards *guards, size_t k)
 {
-    const int holds = guards->motion->w[guards->places.relation + k] != 0.0;
+    const int holds = guards->motion->w[guards->motion->places.relation + k] != 0.0;
     return guards->held[k] != 0.0 ? 1.0 : holds ? guards->g[k] : -guards->g[k];
 }
 
@@ -114,7 +114,7 @@ void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reser
 {
     const lag_model *model = motion->model;
     const size_t count = lag_guard_count(model) + model->ncorner;
-    *guards = (lag_guards){.motion = motion, .places = lag_places_of(model), .contacts = reserve->frictions->contacts, .frictions = reserve->frictions,
+    *guards = (lag_guards){.motion = motion, .contacts = reserve->frictions->contacts, .frictions = reserve->frictions,
         .reserve = reserve, .noise = noise, .time = (double)NAN};
     lag_lay_all(layout, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
         &guards->pieces.found, &guards->pieces.sought, NULL});
@@ -192,7 +192,7 @@ static int ends_at_zero(const lag_guards *guards, size_t i)
 {
     const lag_model *model = guards->motion->model;
     return i < model->nindicator && guards->value[i] == 0.0 &&
-        (guards->motion->w[guards->places.relation + i] != 0.0) == (model->strict[i] != 0);
+        (guards->motion->w[guards->motion->places.relation + i] != 0.0) == (model->strict[i] != 0);
 }
 
 /* True if guard i may have left its mode: its rounding error here is not known. */

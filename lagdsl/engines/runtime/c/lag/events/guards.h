@@ -31,7 +31,6 @@ typedef struct lag_pieces {
 
 typedef struct lag_guards {
     lag_motion *motion;
-    lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
     lag_reserve *reserve;

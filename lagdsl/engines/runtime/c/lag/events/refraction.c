@@ -30,7 +30,7 @@ typedef struct lag_side {
 void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *noise, lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
-    *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise, .places = contacts->places};
+    *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise};
     lag_lay_all(layout, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
     lag_lay_all(layout, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
     lag_lay_all(layout, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
@@ -63,7 +63,7 @@ static lag_status evaluate_side(lag_refraction *r, double t, const double *x, do
 
 static void set_relations(lag_refraction *r, const double *truth)
 {
-    memcpy(r->motion->w + r->places.relation, truth, r->motion->model->nindicator * sizeof(double));
+    memcpy(r->motion->w + r->motion->places.relation, truth, r->motion->model->nindicator * sizeof(double));
 }
 
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were, r->other what they are. */
@@ -71,7 +71,7 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
 {
     lag_motion *motion = r->motion;
     const lag_model *model = motion->model;
-    double *truth = motion->w + r->places.relation;
+    double *truth = motion->w + r->motion->places.relation;
     int turned = 1;
     memcpy(r->truth, truth, model->nindicator * sizeof(double));
     lag_motion_set_state(motion, t, x);
@@ -159,7 +159,7 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
 static lag_status find_gap_speeds(lag_refraction *r, double t, const double *x)
 {
     const size_t count = r->motion->model->ncontact;
-    const int any = lag_any(count, r->motion->w + r->places.contact);
+    const int any = lag_any(count, r->motion->w + r->motion->places.contact);
     const lag_status status = any ? lag_contacts_evaluate_at(r->contacts, t, x) : LAG_OK;
     memcpy(r->gap_speeds, r->contacts->speed, count * sizeof(double));
     return status;
@@ -171,7 +171,7 @@ static lag_status add_contacts(lag_refraction *r, double t, const double *x)
     lag_contacts *contacts = r->contacts;
     const lag_model *model = r->motion->model;
     lag_inequalities_clear(&contacts->blows.rows);
-    if (!lag_any(model->ncontact, r->motion->w + r->places.contact)) {
+    if (!lag_any(model->ncontact, r->motion->w + r->motion->places.contact)) {
         return LAG_OK;
     }
     const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
@@ -317,7 +317,7 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
 {
     lag_motion *motion = r->motion;
     const size_t n = motion->model->nq;
-    double *truth = motion->w + r->places.relation;
+    double *truth = motion->w + r->motion->places.relation;
     lag_side side = {.sense = truth[which] == 0.0 ? 1.0 : -1.0};
     double after = 0.0;
     double size = 0.0;

@@ -26,7 +26,6 @@ typedef struct lag_refraction {
     lag_contacts *contacts; /* their impulse problem, and the rows of their blows, are used */
     lag_impulse *impulse;
     lag_noise *noise;
-    lag_places places;
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
     double *before;         /* (nq) momenta on this side */

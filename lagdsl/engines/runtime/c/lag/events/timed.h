@@ -15,7 +15,6 @@
 
 typedef struct lag_timed {
     lag_motion *motion;
-    size_t first;                             /* the first entry of w */
     double length;                            /* of the experiment [s]; 0: not known */
     double next;                              /* time of the next change, or up to which there is none */
     double *value, *told;                     /* (ntimed) */

@@ -22,7 +22,7 @@ static const double NOTHING = 1e-60;
 void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    *impulse = (lag_impulse){.motion = motion, .places = lag_places_of(model), .mass = motion->written.mass, .jacobian = motion->written.rows[1]};
+    *impulse = (lag_impulse){.motion = motion, .mass = motion->written.mass, .jacobian = motion->written.rows[1]};
     lag_lay_all(layout, model->nq, (double **const[]){&impulse->before, &impulse->now, &impulse->aim, &impulse->from, &impulse->size, &impulse->change,
         &impulse->chosen, &impulse->rates, NULL});
     impulse->residual = lag_lay(layout, model->nc);
@@ -59,8 +59,8 @@ lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x)
     lag_motion *motion = impulse->motion;
     const lag_model *model = motion->model;
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
-    lag_fill(model->ncontact, 0.0, impulse->w + impulse->places.contact);
-    lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->places.sticks);
+    lag_fill(model->ncontact, 0.0, impulse->w + impulse->motion->places.contact);
+    lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->motion->places.sticks);
     lag_motion_set_state(motion, t, x);
     lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
     motion->at.w = impulse->w;

@@ -24,7 +24,6 @@
 
 typedef struct lag_impulse {
     lag_motion *motion;
-    lag_places places;
     double *before;    /* (nq) momenta that the problem begins with */
     double *now;       /* (nq) momenta at the rates evaluated last, */
     double *mass;      /* (nq, nq) M, */

@@ -88,8 +88,8 @@ static void set_instants(lag_run *run)
 {
     const lag_run_options *options = &run->options;
     run->instants.noise.tolerance = options->tolerance;
-    run->instants.iteration.listener.tell = report_event;
-    run->instants.iteration.listener.context = run;
+    run->instants.listener.tell = report_event;
+    run->instants.listener.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
         : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
                                                           : 0.0;
@@ -190,9 +190,9 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .changes = run->methods.changes,
         .w = run->motion.w,
         .changed = run->guards.changed,
-        .guilty = run->instants.iteration.discretes.guilty,
+        .guilty = run->instants.discretes.guilty,
         .doubted = run->guards.doubted,
-        .fault = run->instants.iteration.clauses.fault,
+        .fault = run->instants.clauses.fault,
         .next = lag_instants_next(&run->instants),
         .change = run->methods.change,
         .implicit = s->method->implicit,
