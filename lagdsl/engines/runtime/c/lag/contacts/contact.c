@@ -28,7 +28,7 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *
     blows->hit = lag_lay(layout, model->nq + model->nz);
     contacts->forces = lag_lay(layout, model->nq);
     contacts->work = lag_lay(layout, 4 * model->nq);
-    contacts->sizes.peak = lag_lay(layout, 2 * model->nq);
+    contacts->sizes.peak = lag_lay(layout, lag_motion_size(model) + model->nu);
     contacts->sizes.least = lag_lay(layout, model->nq);
     for (size_t j = 0; j < model->nq && contacts->sizes.least != NULL; ++j) {
         contacts->sizes.least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;

@@ -14,7 +14,7 @@ struct lag_frictions;
 
 /* Sizes of the numbers that enter each contact (contact_scale.c). */
 typedef struct lag_contact_sizes {
-    double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
+    double *peak, *least;    /* (2 nq + nz + nu) largest magnitudes of states and inputs so far; (nq) none is taken to be smaller: angles */
     double *force;           /* (ncontact) the largest that each had to carry, about */
     double *blow;            /* (ncontact) the largest terms of its rate in a blow so far */
 } lag_contact_sizes;
@@ -52,7 +52,7 @@ typedef struct lag_contacts {
 
 void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *layout);
 
-/* The motion passed through x: magnitudes. */
+/* The motion passed through x, with the inputs that it has: magnitudes. */
 void lag_contacts_follow(lag_contacts *contacts, const double *x);
 
 /* Length and speed of a contact, at the state evaluated last. */

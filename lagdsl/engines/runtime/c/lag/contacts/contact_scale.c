@@ -24,11 +24,11 @@ static const double ALIKE = 2.0;
 
 void lag_contacts_follow(lag_contacts *contacts, const double *x)
 {
-    const lag_model *model = contacts->motion->model;
-    const size_t count = model->ncontact + model->nfriction > 0 ? 2 * model->nq : 0;
-    for (size_t j = 0; j < count; ++j) {
-        const double magnitude = fabs(x[j]);
-        contacts->sizes.peak[j] = magnitude > contacts->sizes.peak[j] ? magnitude : contacts->sizes.peak[j];
+    const lag_motion *motion = contacts->motion;
+    const size_t size = lag_motion_size(motion->model);
+    for (size_t i = 0; i < size + motion->model->nu; ++i) {
+        const double magnitude = fabs(i < size ? x[i] : motion->u[i - size]);
+        contacts->sizes.peak[i] = magnitude > contacts->sizes.peak[i] ? magnitude : contacts->sizes.peak[i];
     }
 }
 

@@ -266,7 +266,6 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)
     if (count == 0) {
         return LAG_OK;
     }
-    lag_noise_follow(guards->noise, x);
     lag_contacts_follow(guards->contacts, x);
     guards->time = (double)NAN;
     const lag_status status = evaluate(guards, t, x);
@@ -287,9 +286,4 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)
         guards->contacts->sizes.force[k] = isfinite(force) ? fmax(guards->contacts->sizes.force[k], force) : guards->contacts->sizes.force[k];
     }
     return status;
-}
-
-void lag_guards_hold(lag_guards *guards, lag_projection *projection, double t, const double *x, double *point)
-{
-    lag_noise_hold(guards->noise, projection, t, x, point, guards->held);
 }

@@ -80,7 +80,4 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x);
 /* LAG_EVENT_PENDING if a guard has left its mode at x at time t, with the discretes of `motion`. */
 lag_status lag_guards_detect(lag_guards *guards, double t, const double *x);
 
-/* Finds the relations that the rows of the mode hold from x at time t on. `point` (2 nq + nz) is for its own use. */
-void lag_guards_hold(lag_guards *guards, lag_projection *projection, double t, const double *x, double *point);
-
 #endif

@@ -41,7 +41,7 @@ void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projecti
     instants->contacts.frictions = &instants->frictions;
     lag_frictions_place(&instants->frictions, motion, &instants->contacts, layout);
     lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, layout);
-    lag_noise_place(&instants->noise, motion, layout);
+    lag_noise_place(&instants->noise, &instants->contacts, layout);
     lag_impulse_place(&instants->impulse, motion, layout);
     lag_timed_place(&instants->timed, motion, layout);
     lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, layout);

@@ -28,11 +28,12 @@ static size_t all_of(const lag_model *model)
     return count_of(model) + 2 * model->nindicator;
 }
 
-void lag_noise_place(lag_noise *noise, lag_motion *motion, lag_layout *layout)
+void lag_noise_place(lag_noise *noise, lag_contacts *contacts, lag_layout *layout)
 {
+    lag_motion *motion = contacts->motion;
     const lag_model *model = motion->model;
     const size_t unknown = model->nu + model->nq + model->nc;
-    *noise = (lag_noise){.motion = motion, .peak = lag_lay(layout, lag_motion_size(model) + model->nu)};
+    *noise = (lag_noise){.motion = motion, .contacts = contacts, .peak = contacts->sizes.peak};
     if (count_of(model) == 0) {
         return;
     }
@@ -43,16 +44,6 @@ void lag_noise_place(lag_noise *noise, lag_motion *motion, lag_layout *layout)
     /* rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers */
     const double *none = lag_lay_filled(layout, unknown, (double)NAN);
     motion->at.du = motion->at.dqdd = motion->at.dlam = none;
-}
-
-void lag_noise_follow(lag_noise *noise, const double *x)
-{
-    const lag_model *model = noise->motion->model;
-    const size_t size = lag_motion_size(model);
-    for (size_t i = 0; i < size + model->nu; ++i) {
-        const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
-        noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
-    }
 }
 
 /* An irregular part of number i in change k: 0.5 to 1, of either sign. */
@@ -142,7 +133,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     const lag_status status = lag_noise_update(noise, t, x);
-    lag_noise_follow(noise, x);
+    lag_contacts_follow(noise->contacts, x);
     if (status != LAG_OK) {
         return;
     }

@@ -73,7 +73,7 @@ static lag_status end_with_relations(lag_run *run, lag_status status)
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
         run->guards.swing[i] = truth[i] != before[i] ? 0.0 : run->guards.swing[i];
     }
-    lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
+    lag_noise_hold(run->guards.noise, &run->projection, run->stepper.t, run->stepper.x, run->point, run->guards.held);
     const lag_status seen = lag_guards_begin(&run->guards, run->stepper.t, run->stepper.x);
     return seen == LAG_OK ? ended : seen;
 }
@@ -83,7 +83,7 @@ static lag_status enter(lag_run *run)
     lag_delays_clear(&run->motion.delays);
     const lag_status status = has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
     if (status == LAG_OK) {
-        lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
+        lag_noise_hold(run->guards.noise, &run->projection, run->stepper.t, run->stepper.x, run->point, run->guards.held);
     }
     if ((status == LAG_OK || status == LAG_STOPPED) && run->motion.model->ndelay > 0) {
         lag_motion_set_state(&run->motion, run->stepper.t, run->stepper.x);
