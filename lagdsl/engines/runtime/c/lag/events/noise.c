@@ -6,6 +6,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/slope.h"
+#include "lag/linalg/vector.h"
 
 /* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
 static const double CHANGE = 16.0 * DBL_EPSILON;
@@ -132,9 +133,8 @@ static lag_status change_at(lag_noise *noise, double t, const double *x, unsigne
 void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
-    const lag_status status = lag_noise_update(noise, t, x);
     lag_contacts_follow(noise->contacts, x);
-    if (status != LAG_OK) {
+    if (all_of(model) == 0 || lag_noise_update(noise, t, x) != LAG_OK) {
         return;
     }
     for (size_t i = 0; i < all_of(model); ++i) {
@@ -228,7 +228,7 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
 
 /* ---- gradients ---- */
 
-/* A line through x: along coordinate or rate j, or along time with the states, the positions held. */
+/* A line through x: along coordinate or rate j, or, behind them, along time with the states, the positions held. */
 typedef struct lag_line {
     lag_noise *noise;
     double t;
@@ -236,32 +236,21 @@ typedef struct lag_line {
     size_t which, j;
 } lag_line;
 
-/* The indicator at noise->point, with accelerations and multipliers as they are; not a number where there is none. */
-static double noise_indicator(const lag_line *line, double t)
+/* The indicator there, with accelerations and multipliers as they are; not a number where there is none. */
+static double along_line(void *context, double by)
 {
+    const lag_line *line = context;
     lag_motion *motion = line->noise->motion;
-    lag_motion_set_state(motion, t, line->noise->point);
-    return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
-}
-
-static double along_one(void *context, double by)
-{
-    const lag_line *line = context;
-    double *point = line->noise->point + line->j;
-    *point = line->x[line->j] + by;
-    const double g = noise_indicator(line, line->t);
-    *point = line->x[line->j];
-    return g;
-}
-
-static double along_time(void *context, double by)
-{
-    const lag_line *line = context;
-    const lag_model *model = line->noise->motion->model;
-    for (size_t j = 2 * model->nq; j < lag_motion_size(model); ++j) {
-        line->noise->point[j] = line->x[j] + by * line->rate[j];
+    const size_t count = 2 * motion->model->nq;
+    double *point = line->noise->point;
+    memcpy(point, line->x, lag_motion_size(motion->model) * sizeof(double));
+    if (line->j < count) {
+        point[line->j] += by;
+    } else {
+        lag_axpy(motion->model->nz, by, line->rate + count, point + count);
     }
-    return noise_indicator(line, line->t + by);
+    lag_motion_set_state(motion, line->j < count ? line->t : line->t + by, point);
+    return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
 }
 
 int lag_noise_differentiate(
@@ -274,14 +263,13 @@ int lag_noise_differentiate(
     double largest[2] = {0.0, 0.0}; /* coordinate and rate */
     int by_place = 0;
     int by_rates = 0;
-    memcpy(noise->point, x, lag_motion_size(model) * sizeof(double));
     for (size_t j = 0; j < 2 * n; ++j) {
         largest[j / n] = fmax(largest[j / n], lag_noise_extent(noise, x, j));
     }
     for (line.j = 0; line.j < 2 * n; ++line.j) {
         slope.unit = lag_noise_extent(noise, x, line.j);
         slope.most = largest[line.j / n];
-        lag_slope_find(&slope, along_one, &line);
+        lag_slope_find(&slope, along_line, &line);
         if (line.j < n) {
             gradient[line.j] = slope.value;
             by_place = by_place || slope.value != 0.0;
@@ -290,7 +278,7 @@ int lag_noise_differentiate(
         }
     }
     slope.unit = slope.most = fmax(fabs(t), length);
-    lag_slope_find(&slope, along_time, &line);
+    lag_slope_find(&slope, along_line, &line);
     *drift = slope.value;
     return isfinite(*drift) && by_place && !by_rates;
 }
