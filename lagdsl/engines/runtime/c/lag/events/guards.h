@@ -25,7 +25,7 @@ typedef struct lag_pieces {
     double *seen[LAG_PIECE_SAMPLES];       /* (nindicator + ncontact + nfriction + ncorner) values */
     double *root, *found, *sought; /* the same */
     double *when;                  /* (nindicator) time of the last change that was found */
-    double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
+    double reach;                  /* the next piece is as long as this [s]; 0: not known yet */
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
 } lag_pieces;
 

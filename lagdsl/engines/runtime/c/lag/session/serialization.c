@@ -128,7 +128,6 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.visit);
     RECORD(run->methods.stiffness.looks);
     RECORD(run->methods.stiffness.lost);
-    RECORD(run->guards.pieces.span);
     RECORD(run->guards.pieces.reach);
     RECORD(run->guards.pieces.limit);
     RECORD(run->sizes.found);
