@@ -140,6 +140,13 @@ FORCES = [
         2.0,
         {"at": 1.0, "x": 1.0},
     ),
+    Attack(
+        # by its line a jump comes at a time at which the sum, rounded, is still below the next whole number
+        "stairs_far_from_zero",
+        model("coordinate Real x; kinetic 1/2*der(x)^2; force floor((time + 10000)/0.1) - 100000 on x;"),
+        1.0,
+        {"der(x)": 4.5, "x": 1.425},
+    ),
 ]
 
 # Energies that rise steeply: no step leads over the jump of the force.

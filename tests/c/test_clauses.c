@@ -174,7 +174,7 @@ static void a_clause_bounces(void)
     /* bounces accumulate at 4.5 s, and a clause does not know how to rest */
     CHECK(lag_run_to(run, 6.0, 0) == LAG_CHATTER);
     CHECK_NEAR(run->stepper.t, 4.5, 1e-4);
-    CHECK(run->instants.iteration.discretes.guilty[BELOW] == 1.0);
+    CHECK(run->instants.discretes.guilty[BELOW] == 1.0);
     free(run);
 }
 
@@ -237,10 +237,10 @@ static void ends(enum mode what, lag_status expected)
         CHECK(strcmp(lag_event_kind_name(LAG_TERMINATE), "terminate") == 0);
     }
     if (what == CONFLICT) {
-        CHECK(run->instants.iteration.clauses.fault == 1);
+        CHECK(run->instants.clauses.fault == 1);
     }
     if (what == ENDLESS) {
-        CHECK(run->instants.iteration.discretes.guilty[COUNT] == 1.0 && run->instants.iteration.discretes.guilty[BELOW] == 0.0);
+        CHECK(run->instants.discretes.guilty[COUNT] == 1.0 && run->instants.discretes.guilty[BELOW] == 0.0);
     }
     free(run);
 }

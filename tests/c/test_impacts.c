@@ -128,7 +128,7 @@ static void contacts_at_the_start(void)
     free(run);
     linear.q[0] = -1e-3;
     run = begin(&model, LAG_PENETRATION);
-    CHECK(run->instants.iteration.discretes.guilty[0] == 1.0);
+    CHECK(run->instants.discretes.guilty[0] == 1.0);
     free(run);
     linear.q[0] = 0.0;
     linear.force[0] = 1.0; /* pulled up: nothing to carry */

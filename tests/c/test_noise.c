@@ -63,7 +63,7 @@ static void the_largest_magnitude_so_far_counts(void)
     const lag_model model = law_model();
     lag_run *run = law_begin(&model, LAG_OK);
     lag_noise *noise = &run->instants.noise;
-    lag_noise_follow(noise, far);
+    lag_contacts_follow(noise->contacts, far);
     lag_noise_find(noise, 0.0, run->stepper.x);
     CHECK(noise->sigma[0] >= LEAST * 1000.0 * 0.99 && noise->sigma[0] <= MOST * 1000.0 * 1.01);
     /* with the relative error of the tolerance in place of 16 eps */

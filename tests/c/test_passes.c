@@ -48,7 +48,7 @@ static void passes_run_until_nothing_changes(void)
 static void passes_without_end_are_told_with_what_still_changes(void)
 {
     lag_run *run = begin_with(3, flip, LAG_EVENT_ITERATION_FAILED);
-    const double *guilty = run->instants.iteration.discretes.guilty;
+    const double *guilty = run->instants.discretes.guilty;
     CHECK(guilty[0] == 0.0 && guilty[1] == 1.0 && guilty[2] == 0.0);
     free(run);
 }

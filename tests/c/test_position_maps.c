@@ -21,7 +21,7 @@ static lag_status turn(double q1, double rate, double moment, double peak)
     model.way = way;
     lag_run *run = law_begin(&model, LAG_OK);
     run->motion.w[0] = 1.0;
-    const lag_status status = lag_position_maps_continue(&run->instants.iteration.maps, 0.0, x, x, before, moment, peaks);
+    const lag_status status = lag_position_maps_continue(&run->instants.maps, 0.0, x, x, before, moment, peaks);
     free(run);
     return status;
 }

@@ -7,7 +7,6 @@
 #include "lag/evaluate.h"
 #include "lag/event_notice.h"
 #include "lag/events/clock.h"
-#include "lag/events/event_iteration.h"
 #include "lag/events/guards.h"
 #include "lag/events/instant.h"
 #include "lag/events/noise.h"

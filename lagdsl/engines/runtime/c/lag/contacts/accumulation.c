@@ -55,10 +55,10 @@ static void find_return_accelerations(lag_contacts *contacts, double t, const do
     lag_motion *motion = contacts->motion;
     lag_impulse *impulse = contacts->impulse;
     const lag_model *model = motion->model;
-    lag_contacts_solve(contacts, t, x);
+    lag_motion_try(contacts->motion, t, x);
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
     for (size_t i = 0; i < model->ncontact; ++i) {
-        double *opened = impulse->w + contacts->places.contact + i;
+        double *opened = impulse->w + contacts->motion->places.contact + i;
         *opened = contacts->blows.closing[i] != 0.0 ? 1.0 : *opened;
     }
     motion->at.w = impulse->w;
@@ -139,7 +139,7 @@ lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const doubl
         const int opened = contacts->blows.before[i] != 0.0 && *lag_contacts_flag(contacts, i) == 0.0 && lag_contacts_touches(contacts, i);
         contacts->blows.closing[i] = (struck || opened) && parts(contacts, i);
         contacts->until[i] = struck ? (double)INFINITY : contacts->until[i];
-        contacts->motion->w[contacts->places.impacts + i] += struck;
+        contacts->motion->w[contacts->motion->places.impacts + i] += struck;
         *lag_contacts_flag(contacts, i) = struck && contacts->blows.closing[i] == 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
     if (status == LAG_OK && lag_any(count, contacts->blows.closing)) {

@@ -9,55 +9,28 @@
 /* A gap that is negative by this part of its size after a jump is pierced. */
 static const double INSIDE = 1e-6;
 
-size_t lag_contacts_memory(const lag_model *model)
-{
-    return 13 * model->ncontact + 3 * model->ngap + 9 * model->nq + model->nz + lag_inequalities_memory(model);
-}
-
-static void place_gaps(lag_contacts *contacts, const lag_model *model, double **memory)
-{
-    contacts->gap = lag_take(memory, model->ngap);
-    contacts->speed = lag_take(memory, model->ngap);
-    contacts->jacobian = contacts->motion->written.gaps;
-    contacts->blows.part = lag_take(memory, model->ngap);
-    lag_inequalities_place(&contacts->blows.rows, model, lag_take(memory, lag_inequalities_memory(model)));
-}
-
-static void place_each(lag_contacts *contacts, size_t count, double **memory)
-{
-    double **const arrays[] = {&contacts->sizes.force, &contacts->sizes.blow, &contacts->until, &contacts->restitution,
-        &contacts->capture_speed, &contacts->zeno_time, &contacts->blows.approach, &contacts->blows.order, &contacts->blows.closing, &contacts->blows.before,
-        &contacts->blows.back, &contacts->blows.compliance, &contacts->blows.met};
-    for (size_t k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
-        *arrays[k] = lag_take(memory, count);
-        memset(*arrays[k], 0, count * sizeof(double));
-    }
-    for (size_t i = 0; i < count; ++i) {
-        contacts->until[i] = (double)INFINITY;
-    }
-}
-
 /* An angle is as large as a radian: its sine and cosine enter. */
 static int is_angle(const char *unit)
 {
     return unit[0] == 'r' && unit[1] == 'a' && unit[2] == 'd' && unit[3] == '\0';
 }
 
-void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory)
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    memset(contacts, 0, sizeof *contacts);
-    contacts->motion = motion;
-    contacts->places = lag_places_of(model);
-    place_gaps(contacts, model, &memory);
-    place_each(contacts, model->ncontact, &memory);
-    contacts->blows.hit = lag_take(&memory, model->nq + model->nz);
-    contacts->forces = lag_take(&memory, model->nq);
-    contacts->work = lag_take(&memory, 4 * model->nq);
-    contacts->sizes.peak = lag_take(&memory, 2 * model->nq);
-    contacts->sizes.least = lag_take(&memory, model->nq);
-    memset(contacts->sizes.peak, 0, 2 * model->nq * sizeof(double));
-    for (size_t j = 0; j < model->nq; ++j) {
+    lag_blows *blows = &contacts->blows;
+    *contacts = (lag_contacts){.motion = motion, .jacobian = motion->written.gaps};
+    lag_lay_all(layout, model->ngap, (double **const[]){&contacts->gap, &contacts->speed, &blows->part, NULL});
+    lag_inequalities_place(&blows->rows, model, layout);
+    lag_lay_all(layout, model->ncontact, (double **const[]){&contacts->sizes.force, &contacts->sizes.blow, &contacts->restitution, &contacts->capture_speed,
+        &contacts->zeno_time, &blows->approach, &blows->order, &blows->closing, &blows->before, &blows->back, &blows->compliance, &blows->met, NULL});
+    contacts->until = lag_lay_filled(layout, model->ncontact, (double)INFINITY);
+    blows->hit = lag_lay(layout, model->nq + model->nz);
+    contacts->forces = lag_lay(layout, model->nq);
+    contacts->work = lag_lay(layout, 4 * model->nq);
+    contacts->sizes.peak = lag_lay(layout, lag_motion_size(model) + model->nu);
+    contacts->sizes.least = lag_lay(layout, model->nq);
+    for (size_t j = 0; j < model->nq && contacts->sizes.least != NULL; ++j) {
         contacts->sizes.least[j] = model->coordinates != NULL && is_angle(model->coordinates[j].unit) ? 1.0 : 0.0;
     }
 }

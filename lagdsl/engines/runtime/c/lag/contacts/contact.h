@@ -14,7 +14,7 @@ struct lag_frictions;
 
 /* Sizes of the numbers that enter each contact (contact_scale.c). */
 typedef struct lag_contact_sizes {
-    double *peak, *least;    /* (2 nq) largest magnitudes of positions and rates so far; (nq) none is taken to be smaller: angles */
+    double *peak, *least;    /* (2 nq + nz + nu) largest magnitudes of states and inputs so far; (nq) none is taken to be smaller: angles */
     double *force;           /* (ncontact) the largest that each had to carry, about */
     double *blow;            /* (ncontact) the largest terms of its rate in a blow so far */
 } lag_contact_sizes;
@@ -36,7 +36,6 @@ typedef struct lag_blows {
 
 typedef struct lag_contacts {
     lag_motion *motion;      /* its w tells which contacts are closed */
-    lag_places places;
     lag_impulse *impulse;    /* its arrays are used */
     struct lag_frictions *frictions; /* under them */
     lag_contact_sizes sizes;
@@ -51,12 +50,9 @@ typedef struct lag_contacts {
     double *work;            /* (4 nq) */
 } lag_contacts;
 
-/* Doubles for them. */
-size_t lag_contacts_memory(const lag_model *model);
+void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *layout);
 
-void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, double *memory);
-
-/* The motion passed through x: magnitudes. */
+/* The motion passed through x, with the inputs that it has: magnitudes. */
 void lag_contacts_follow(lag_contacts *contacts, const double *x);
 
 /* Length and speed of a contact, at the state evaluated last. */
@@ -108,9 +104,8 @@ lag_status lag_contacts_check_gaps(
 /* Gaps where `motion` is. */
 lag_status lag_contacts_evaluate(lag_contacts *contacts);
 
-/* For the parts of it: the same at a state, the multipliers, forces by which pulls are told from round-off. */
+/* For the parts of it: the same at a state, forces by which pulls are told from round-off. */
 lag_status lag_contacts_evaluate_at(lag_contacts *contacts, double t, const double *x);
-void lag_contacts_solve(lag_contacts *contacts, double t, const double *x);
 lag_status lag_contacts_find_forces(lag_contacts *contacts, double t, const double *x);
 /* A gap below this touches; a rate below this is round-off. */
 double lag_contacts_gap_band(const lag_contacts *contacts, size_t i);
@@ -118,7 +113,7 @@ double lag_contacts_speed_band(const lag_contacts *contacts, size_t i);
 
 static inline double *lag_contacts_flag(const lag_contacts *contacts, size_t i)
 {
-    return contacts->motion->w + contacts->places.contact + i;
+    return contacts->motion->w + contacts->motion->places.contact + i;
 }
 
 /* 1: contact i holds a rate on one side, as a freewheel does; its gap is zero. */

@@ -16,7 +16,7 @@ static lag_status release(lag_contacts *contacts, double t, const double *x)
     const lag_status status = lag_contacts_find_forces(contacts, t, x);
     const int any = lag_any(count, lag_contacts_flag(contacts, 0));
     if (any) {
-        lag_contacts_solve(contacts, t, x);
+        lag_motion_try(contacts->motion, t, x);
     }
     for (size_t i = 0; i < count && any; ++i) {
         if (lag_contacts_multiplier(contacts, i) <= NOTHING * contacts->sizes.force[i]) {

@@ -10,8 +10,6 @@
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;
-/* A coordinate is as good as zero below this part of its unit. */
-static const double LEAST = 1e-12;
 /* Below these parts of its length and of its force, a value is round-off and no event. */
 static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-13;
@@ -19,16 +17,14 @@ static const double NO_FORCE = 1e-13;
 static const double LIMITS = 4.0;
 /* Positions are moved by this part of their magnitudes to see how large forces are. */
 static const double CHANGE = 1e-4;
-/* Magnitudes of forces that differ by less than this factor are alike. */
-static const double ALIKE = 2.0;
 
 void lag_contacts_follow(lag_contacts *contacts, const double *x)
 {
-    const lag_model *model = contacts->motion->model;
-    const size_t count = model->ncontact + model->nfriction > 0 ? 2 * model->nq : 0;
-    for (size_t j = 0; j < count; ++j) {
-        const double magnitude = fabs(x[j]);
-        contacts->sizes.peak[j] = magnitude > contacts->sizes.peak[j] ? magnitude : contacts->sizes.peak[j];
+    const lag_motion *motion = contacts->motion;
+    const size_t size = lag_motion_size(motion->model);
+    for (size_t i = 0; i < size + motion->model->nu; ++i) {
+        const double magnitude = fabs(i < size ? x[i] : motion->u[i - size]);
+        contacts->sizes.peak[i] = magnitude > contacts->sizes.peak[i] ? magnitude : contacts->sizes.peak[i];
     }
 }
 
@@ -49,7 +45,7 @@ double lag_contacts_scale(const lag_contacts *contacts, size_t i)
         length += fabs(row[j]) * lag_higher(contacts->sizes.peak[j], contacts->sizes.least[j]);
         slopes += fabs(row[j]);
     }
-    return length > 0.0 ? lag_higher(length, LEAST * slopes) : slopes;
+    return length > 0.0 ? length : slopes;
 }
 
 double lag_contacts_pace(const lag_contacts *contacts, size_t i)
@@ -102,18 +98,8 @@ lag_status lag_contacts_evaluate_at(lag_contacts *contacts, double t, const doub
     return lag_contacts_evaluate(contacts);
 }
 
-void lag_contacts_solve(lag_contacts *contacts, double t, const double *x)
-{
-    lag_motion *motion = contacts->motion;
-    if (lag_motion_solve(motion, t, x) != LAG_OK) {
-        for (size_t i = 0; i < motion->model->nc; ++i) {
-            motion->lam[i] = (double)NAN;
-        }
-    }
-}
-
 /* The multiplier of one contact that would cancel the accelerations that the forces give its coordinates, each by itself. */
-static double force_of(const lag_contacts *contacts, size_t i, int weighted)
+static double force_of(const lag_contacts *contacts, size_t i)
 {
     const lag_entries entries = entries_of(contacts, i);
     const size_t n = contacts->motion->model->nq;
@@ -122,7 +108,7 @@ static double force_of(const lag_contacts *contacts, size_t i, int weighted)
     double compliance = 0.0;
     for (size_t k = entries.first; k < entries.end; ++k) {
         const size_t j = lag_entry_column(&entries, k);
-        const double mass = weighted ? contacts->impulse->mass[j * n + j] : 1.0;
+        const double mass = contacts->impulse->mass[j * n + j];
         if (mass > 0.0) {
             acceleration += fabs(row[j]) * contacts->forces[j] / mass;
             compliance += row[j] * row[j] / mass;
@@ -172,33 +158,6 @@ static lag_status find_load_sizes(lag_contacts *contacts, const double *x)
     return status;
 }
 
-/*
- * A contact that touches passes forces from one coordinate to the other, so magnitudes of forces spread along contacts.
- * Contacts between bodies on which only their neighbours act then have a scale, too.
- */
-static void spread_force_sizes(lag_contacts *contacts)
-{
-    const size_t n = contacts->motion->model->nq;
-    const size_t count = contacts->motion->model->ncontact;
-    int grew = 1;
-    for (size_t round = 0; round < count && grew; ++round) {
-        grew = 0;
-        for (size_t i = 0; i < count; ++i) {
-            const int touches = *lag_contacts_flag(contacts, i) != 0.0 || fabs(contacts->gap[i]) <= lag_contacts_gap_band(contacts, i);
-            const double force = touches ? force_of(contacts, i, 1) : 0.0;
-            const lag_entries entries = entries_of(contacts, i);
-            for (size_t k = entries.first; k < entries.end && force > 0.0; ++k) {
-                const size_t j = lag_entry_column(&entries, k);
-                const double by = fabs(contacts->jacobian[i * n + j]) * force;
-                if (by > ALIKE * contacts->forces[j]) {
-                    contacts->forces[j] = by;
-                    grew = 1;
-                }
-            }
-        }
-    }
-}
-
 lag_status lag_contacts_find_forces(lag_contacts *contacts, double t, const double *x)
 {
     lag_motion *motion = contacts->motion;
@@ -208,12 +167,8 @@ lag_status lag_contacts_find_forces(lag_contacts *contacts, double t, const doub
     if (status == LAG_OK) {
         status = model->mass_matrix(&motion->at, contacts->impulse->mass);
     }
-    if (status == LAG_OK) {
-        spread_force_sizes(contacts);
-    }
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
-        const double force = force_of(contacts, i, 1);
-        contacts->sizes.force[i] = fmax(contacts->sizes.force[i], force > 0.0 ? force : force_of(contacts, i, 0));
+        contacts->sizes.force[i] = fmax(contacts->sizes.force[i], force_of(contacts, i));
     }
     return status;
 }

@@ -19,31 +19,19 @@ static const double ROUNDING = 64.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-12;
 static const double NO_SHARED_FORCE = 1e-10;
 
-size_t lag_frictions_memory(const lag_model *model)
-{
-    return 2 * model->ncontact + model->nq + model->nz + model->nfriction * (6 + 2 * model->nc) + model->nslip * (3 + model->nq);
-}
-
-void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory)
+void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    *frictions = (lag_frictions){.motion = motion, .places = lag_places_of(model), .contacts = contacts};
-    lag_take_all(&memory, model->nfriction, (double **const[]){&frictions->first, &frictions->limit, &frictions->sticking, &frictions->force, NULL});
-    frictions->gain = lag_take(&memory, model->nfriction * model->nc);
-    frictions->sticking_gain = lag_take(&memory, model->nfriction * model->nc);
-    lag_take_all(&memory, model->nslip, (double **const[]){&frictions->slip, &frictions->reference, &frictions->fast, NULL});
-    frictions->push = lag_take(&memory, model->nq + model->nz);
-    frictions->compliance = lag_take(&memory, model->ncontact + model->nfriction);
-    frictions->reserve = lag_take(&memory, model->ncontact + model->nfriction);
-    frictions->jacobian = lag_take(&memory, model->nslip * model->nq);
-    lag_fill(model->nfriction, 0.0, frictions->force);
-    lag_fill(model->ncontact + model->nfriction, (double)NAN, frictions->reserve);
-    lag_fill(model->nslip, 0.0, frictions->fast);
-    lag_fill(model->nslip, 0.0, frictions->reference);
-    lag_fill(model->nq + model->nz, 0.0, frictions->push);
-    lag_fill(model->ncontact + model->nfriction, 0.0, frictions->compliance);
+    *frictions = (lag_frictions){.motion = motion, .contacts = contacts};
+    lag_lay_all(layout, model->nfriction, (double **const[]){&frictions->first, &frictions->limit, &frictions->sticking, &frictions->force, NULL});
+    lag_lay_all(layout, model->nfriction * model->nc, (double **const[]){&frictions->gain, &frictions->sticking_gain, NULL});
+    lag_lay_all(layout, model->nslip, (double **const[]){&frictions->slip, &frictions->reference, &frictions->fast, NULL});
+    frictions->push = lag_lay(layout, model->nq + model->nz);
+    frictions->compliance = lag_lay(layout, model->ncontact + model->nfriction);
+    frictions->reserve = lag_lay_filled(layout, model->ncontact + model->nfriction, (double)NAN);
+    frictions->jacobian = lag_lay(layout, model->nslip * model->nq);
     size_t next = 0;
-    for (size_t k = 0; k < model->nfriction; ++k) {
+    for (size_t k = 0; k < model->nfriction && frictions->first != NULL; ++k) {
         frictions->first[k] = (double)next;
         next += model->friction_slips[k];
     }

@@ -13,7 +13,6 @@
 
 typedef struct lag_frictions {
     lag_motion *motion;
-    lag_places places;
     lag_contacts *contacts;    /* the largest rates so far are theirs */
     double *first;             /* (nfriction) the first component of the slip of each */
     double *slip, *jacobian;   /* (nslip) (nslip, nq) at the state evaluated last, */
@@ -28,10 +27,7 @@ typedef struct lag_frictions {
     double *reserve;           /* (ncontact + nfriction) what lag/contacts/reserve.h finds where forces are undetermined; else no numbers */
 } lag_frictions;
 
-/* Doubles for them. */
-size_t lag_frictions_memory(const lag_model *model);
-
-void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, double *memory);
+void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_contacts *contacts, lag_layout *layout);
 
 /* Slips and limits at the state at which `motion` was evaluated last, with its accelerations and multipliers. */
 lag_status lag_frictions_evaluate(lag_frictions *frictions);
@@ -59,13 +55,13 @@ double lag_frictions_speed_band(const lag_frictions *frictions, size_t k);
 
 static inline double *lag_frictions_sticks(const lag_frictions *frictions, size_t k)
 {
-    return frictions->motion->w + frictions->places.sticks + k;
+    return frictions->motion->w + frictions->motion->places.sticks + k;
 }
 
 /* The components of its direction in w. */
 static inline double *lag_frictions_direction(const lag_frictions *frictions, size_t k)
 {
-    return frictions->motion->w + frictions->places.direction + (size_t)frictions->first[k];
+    return frictions->motion->w + frictions->motion->places.direction + (size_t)frictions->first[k];
 }
 
 static inline size_t lag_frictions_components(const lag_frictions *frictions, size_t k)

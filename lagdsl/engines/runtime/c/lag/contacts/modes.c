@@ -17,32 +17,21 @@ static const double CANDIDATE = 2.0;
 /* The problem is solved again, so often, as limits may depend on other forces than its own. */
 enum { MOST_TIMES = 20 };
 
-size_t lag_modes_memory(const lag_model *model)
-{
-    const size_t n = model->nq;
-    return lag_inequalities_memory(model) + lag_reserve_memory(model) + n + model->nz + model->nw +
-           model->ncontact + 3 * model->nfriction + model->nslip + 2 * n + model->nc +
-           lag_loads_memory(model);
-}
-
-void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory)
+void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
-    const size_t n = model->nq;
-    *modes = (lag_modes){.motion = contacts->motion, .places = lag_places_of(model), .contacts = contacts, .frictions = frictions};
-    modes->impulse = contacts->impulse;
-    lag_inequalities_place(&modes->rows, model, lag_take(&memory, lag_inequalities_memory(model)));
-    lag_reserve_place(&modes->reserve, frictions, lag_take(&memory, lag_reserve_memory(model)));
-    modes->w = lag_take(&memory, model->nw);
-    modes->touched = lag_take(&memory, n + model->nz);
-    modes->normal = lag_take(&memory, model->ncontact);
-    lag_take_all(&memory, model->nfriction, (double **const[]){&modes->loose, &modes->kinetic, &modes->began, NULL});
-    modes->heading = lag_take(&memory, model->nslip);
-    modes->force = lag_take(&memory, n);
-    modes->qdd = lag_take(&memory, n);
-    modes->jacobian = contacts->motion->written.sought;
-    modes->gamma = lag_take(&memory, model->nc);
-    lag_loads_place(&modes->loads, model, memory);
+    *modes = (lag_modes){.motion = contacts->motion, .contacts = contacts, .frictions = frictions,
+        .impulse = contacts->impulse, .jacobian = contacts->motion->written.sought};
+    lag_inequalities_place(&modes->rows, model, layout);
+    lag_reserve_place(&modes->reserve, frictions, layout);
+    modes->w = lag_lay(layout, model->nw);
+    modes->touched = lag_lay(layout, model->nq + model->nz);
+    modes->normal = lag_lay(layout, model->ncontact);
+    lag_lay_all(layout, model->nfriction, (double **const[]){&modes->loose, &modes->kinetic, &modes->began, NULL});
+    modes->heading = lag_lay(layout, model->nslip);
+    lag_lay_all(layout, model->nq, (double **const[]){&modes->force, &modes->qdd, NULL});
+    modes->gamma = lag_lay(layout, model->nc);
+    lag_loads_place(&modes->loads, model, layout);
 }
 
 /* ---- what is looked for ---- */
@@ -119,7 +108,7 @@ static int find_touched(lag_modes *modes, const double *left)
 
 void lag_modes_release_frictions(lag_modes *modes)
 {
-    lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->places.sticks);
+    lag_fill(modes->motion->model->nfriction, 0.0, modes->motion->w + modes->motion->places.sticks);
     modes->jumped = 1;
 }
 
@@ -197,7 +186,7 @@ static void sort_frictions(lag_modes *modes, const double *left)
             modes->loose[k] = acts;
         }
         /* what begins to slip goes on with the limit of sliding, if that solves the problem */
-        modes->began[k] = acts && !gone && !stuck && lag_frictions_length(frictions, frictions->motion->w + modes->places.direction, k) > 0.0;
+        modes->began[k] = acts && !gone && !stuck && lag_frictions_length(frictions, frictions->motion->w + modes->motion->places.direction, k) > 0.0;
     }
 }
 
@@ -214,7 +203,7 @@ static int is_consistent(const lag_modes *modes)
 /* Limits and reserves with the forces of the present modes. */
 static lag_status evaluate_forces(lag_modes *modes, double t, const double *x)
 {
-    lag_contacts_solve(modes->contacts, t, x);
+    lag_motion_try(modes->motion, t, x);
     const lag_status status = lag_frictions_evaluate(modes->frictions);
     return status == LAG_OK ? lag_reserve_evaluate(&modes->reserve) : status;
 }

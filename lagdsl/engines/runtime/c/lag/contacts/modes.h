@@ -16,7 +16,6 @@
 
 typedef struct lag_modes {
     lag_motion *motion;
-    lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
     lag_reserve reserve;
@@ -35,10 +34,7 @@ typedef struct lag_modes {
     double *qdd;             /* (nq) */
 } lag_modes;
 
-/* Doubles for it. */
-size_t lag_modes_memory(const lag_model *model);
-
-void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, double *memory);
+void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, lag_layout *layout);
 
 /* Rates have been set: nothing sticks until modes are found. */
 void lag_modes_release_frictions(lag_modes *modes);

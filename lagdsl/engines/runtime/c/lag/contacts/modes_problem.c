@@ -40,7 +40,7 @@ static void set_directions(const lag_modes *modes, double *w)
         const int moves = lag_frictions_speed(frictions, k) > lag_frictions_speed_band(frictions, k);
         const double part = count == 1 ? 1.0 : moves ? 0.0 : BEGINNING * fmax(lag_frictions_length(frictions, frictions->fast, k), BEGINNING);
         for (size_t a = 0; a < count && modes->began[k] != GOES_ON; ++a) {
-            w[modes->places.direction + lag_modes_first(modes, k) + a] = part * modes->heading[lag_modes_first(modes, k) + a];
+            w[modes->motion->places.direction + lag_modes_first(modes, k) + a] = part * modes->heading[lag_modes_first(modes, k) + a];
         }
     }
 }
@@ -52,7 +52,7 @@ static void leave_out_loads(const lag_modes *modes, double *w)
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
         const size_t count = lag_frictions_components(frictions, k);
         for (size_t a = 0; a < count && count > 1 && modes->loose[k] != 0.0; ++a) {
-            w[modes->places.direction + lag_modes_first(modes, k) + a] = -frictions->slip[lag_modes_first(modes, k) + a];
+            w[modes->motion->places.direction + lag_modes_first(modes, k) + a] = -frictions->slip[lag_modes_first(modes, k) + a];
         }
     }
 }
@@ -61,11 +61,11 @@ static void leave_out_loads(const lag_modes *modes, double *w)
 static void set_rows(const lag_modes *modes, int act, double *w)
 {
     for (size_t i = 0; i < modes->motion->model->ncontact; ++i) {
-        w[modes->places.contact + i] = modes->normal[i] != 0.0 ? act : w[modes->places.contact + i];
+        w[modes->motion->places.contact + i] = modes->normal[i] != 0.0 ? act : w[modes->motion->places.contact + i];
     }
     for (size_t k = 0; k < modes->motion->model->nfriction; ++k) {
         const int sought = lag_modes_is_touched(modes, lag_modes_slip_row(modes, k));
-        w[modes->places.sticks + k] = sought ? act * modes->loose[k] : w[modes->places.sticks + k];
+        w[modes->motion->places.sticks + k] = sought ? act * modes->loose[k] : w[modes->motion->places.sticks + k];
     }
 }
 
@@ -106,7 +106,7 @@ static void add_loads(lag_modes *modes, size_t number, size_t row)
         for (size_t j = 0; j < model->nq; ++j) { /* how M qdd - f changes: a force is its negative */
             modes->rows.columns[number * model->nq + j] -= part * loads->motion[j * model->nload + k];
         }
-        modes->w[modes->places.load + k] -= isfinite(lam) ? part * lam : 0.0;
+        modes->w[modes->motion->places.load + k] -= isfinite(lam) ? part * lam : 0.0;
     }
 }
 
@@ -168,7 +168,7 @@ static lag_status solve(lag_modes *modes, double t, const double *x)
 {
     const lag_model *model = modes->motion->model;
     lag_inequalities_clear(&modes->rows);
-    memcpy(modes->w + modes->places.load, modes->loads.value, model->nload * sizeof(double));
+    memcpy(modes->w + modes->motion->places.load, modes->loads.value, model->nload * sizeof(double));
     add_contacts(modes);
     add_frictions(modes);
     return modes->rows.size > 0 ? lag_impulse_accelerate(modes->impulse, t, x, modes->w, &modes->rows, modes->qdd) : LAG_OK;

@@ -28,13 +28,7 @@ static size_t work_memory(const lag_model *model)
     return lag_larger(program, model->nq * model->nc + lag_svd_memory(model->nq, model->nc));
 }
 
-size_t lag_reserve_memory(const lag_model *model)
-{
-    const size_t m = model->nc;
-    return model->nfriction == 0 ? 0 : m * (model->nq + 4 + m) + 3 * (model->ncontact + model->nfriction) + lag_loads_memory(model) + work_memory(model);
-}
-
-void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *memory)
+void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layout *layout)
 {
     const lag_model *model = frictions->motion->model;
     const size_t sides = model->ncontact + model->nfriction;
@@ -42,12 +36,12 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *m
     if (model->nfriction == 0) {
         return;
     }
-    reserve->jacobian = lag_take(&memory, model->nc * model->nq);
-    lag_take_all(&memory, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->group, &reserve->force, NULL});
-    reserve->basis = lag_take(&memory, model->nc * model->nc);
-    lag_take_all(&memory, sides, (double **const[]){&reserve->slack, &reserve->size, &reserve->member, NULL});
-    lag_loads_place(&reserve->loads, model, lag_take(&memory, lag_loads_memory(model)));
-    reserve->work = memory;
+    reserve->jacobian = lag_lay(layout, model->nc * model->nq);
+    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->group, &reserve->force, NULL});
+    reserve->basis = lag_lay(layout, model->nc * model->nc);
+    lag_lay_all(layout, sides, (double **const[]){&reserve->slack, &reserve->size, &reserve->member, NULL});
+    lag_loads_place(&reserve->loads, model, layout);
+    reserve->work = lag_lay(layout, work_memory(model));
 }
 
 /* ---- sides: contacts, and behind them frictions ---- */
@@ -381,7 +375,7 @@ lag_status lag_reserve_evaluate(lag_reserve *r)
     }
     memcpy(r->force, r->motion->lam, model->nc * sizeof(double));
     lag_fill(model->ncontact + model->nfriction, (double)NAN, r->frictions->reserve);
-    if (!lag_any(model->nfriction, r->motion->w + r->frictions->places.sticks)) {
+    if (!lag_any(model->nfriction, r->motion->w + r->motion->places.sticks)) {
         return LAG_OK;
     }
     lag_status status = find_lengths(r);

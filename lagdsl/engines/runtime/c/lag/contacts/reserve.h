@@ -30,10 +30,7 @@ typedef struct lag_reserve {
     double *work;
 } lag_reserve;
 
-/* Doubles for it. */
-size_t lag_reserve_memory(const lag_model *model);
-
-void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, double *memory);
+void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layout *layout);
 
 /* Fills frictions->reserve for what sticks, and of contacts that share forces with it, at the state that `motion` was solved at last, with frictions looked at. */
 lag_status lag_reserve_evaluate(lag_reserve *reserve);

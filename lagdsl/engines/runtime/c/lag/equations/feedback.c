@@ -18,20 +18,23 @@ static const double FOUND = 1e-14;
 /* A determinant below this is zero. */
 static const double WEDGED = 1e-9;
 
-size_t lag_loads_memory(const lag_model *model)
-{
-    return model->nload * (1 + 2 * model->nq + model->nc + model->nload + model->nz + model->ny);
-}
-
-void lag_loads_place(lag_loads *loads, const lag_model *model, double *memory)
+void lag_loads_place(lag_loads *loads, const lag_model *model, lag_layout *layout)
 {
     const size_t count = model->nload;
-    loads->value = lag_take(&memory, count);
-    loads->by_acceleration = lag_take(&memory, count * model->nq);
-    loads->by_multiplier = lag_take(&memory, count * model->nc);
-    loads->motion = lag_take(&memory, model->nq * count);
-    loads->by_load = lag_take(&memory, count * count);
-    loads->unused = memory;
+    loads->value = lag_lay(layout, count);
+    loads->by_acceleration = lag_lay(layout, count * model->nq);
+    loads->by_multiplier = lag_lay(layout, count * model->nc);
+    loads->motion = lag_lay(layout, model->nq * count);
+    loads->by_load = lag_lay(layout, count * count);
+    loads->unused = lag_lay(layout, count * (model->nz + model->ny));
+}
+
+size_t lag_loads_memory(const lag_model *model)
+{
+    lag_layout layout = {NULL, 0};
+    lag_loads loads;
+    lag_loads_place(&loads, model, &layout);
+    return layout.count;
 }
 
 lag_status lag_loads_evaluate(lag_loads *loads, const lag_model *model, const lag_arguments *at)
@@ -80,7 +83,8 @@ static feedback begin(const lag_model *model, const lag_arguments *at, double *m
     const size_t n = model->nq;
     const size_t count = model->nload;
     double *w = lag_take(&memory, model->nw);
-    lag_loads_place(&f.loads, model, lag_take(&memory, lag_loads_memory(model)));
+    lag_layout layout = {lag_take(&memory, lag_loads_memory(model)), 0};
+    lag_loads_place(&f.loads, model, &layout);
     f.size = lag_take(&memory, count);
     f.pivot = lag_take(&memory, count);
     f.residual = lag_take(&memory, count);

@@ -14,6 +14,7 @@
 #ifndef LAG_FEEDBACK_H
 #define LAG_FEEDBACK_H
 
+#include "lag/linalg/arena.h"
 #include "lag/model.h"
 
 /* Loads at a state, and how they and the equations of motion change with what they depend on. */
@@ -29,7 +30,7 @@ typedef struct lag_loads {
 /* Doubles for them. */
 size_t lag_loads_memory(const lag_model *model);
 
-void lag_loads_place(lag_loads *loads, const lag_model *model, double *memory);
+void lag_loads_place(lag_loads *loads, const lag_model *model, lag_layout *layout);
 
 /* L with its derivatives by qdd and lam; what changes with loads. Nothing in models without loads. */
 lag_status lag_loads_evaluate(lag_loads *loads, const lag_model *model, const lag_arguments *at);

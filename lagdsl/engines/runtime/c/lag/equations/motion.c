@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/equations/discretes.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
 #include "lag/linalg/arena.h"
@@ -138,6 +137,7 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
 {
     memset(motion, 0, sizeof *motion);
     motion->model = model;
+    motion->places = lag_places_of(model);
     motion->at.context = model->context;
     motion->at.workspace = memory;
     motion->memory = motion->at.workspace + model->workspace;
@@ -153,9 +153,8 @@ void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory
     motion->at.w = motion->w;
     motion->at.qdd = motion->qdd;
     motion->at.lam = motion->lam;
-    const lag_places places = lag_places_of(model);
     double *delays = motion->loads + loads_memory(model);
-    lag_delays_place(&motion->delays, &motion->model, &motion->at, motion->w + places.delay, motion->w + places.delay_rate, delays);
+    lag_delays_place(&motion->delays, &motion->model, &motion->at, motion->w + motion->places.delay, motion->w + motion->places.delay_rate, delays);
     motion->until = (double)INFINITY;
     motion->ode = lag_motion_ode(model);
     motion->ode.context = motion;
@@ -201,7 +200,7 @@ lag_status lag_motion_take_loads(lag_motion *motion, const lag_arguments *at)
 {
     const lag_model *model = motion->model;
     double *slopes = motion->loads;
-    return model->load(at, motion->w + lag_places_of(model).load, slopes, slopes + model->nload * model->nq);
+    return model->load(at, motion->w + motion->places.load, slopes, slopes + model->nload * model->nq);
 }
 
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
@@ -212,6 +211,13 @@ lag_status lag_motion_solve(lag_motion *motion, double t, const double *x)
     const lag_status status = lag_forward_dynamics_along(
         model, &motion->at, motion->memory, chord, motion->qdd, motion->lam, &motion->coordinate);
     return status == LAG_OK && model->nload > 0 ? lag_motion_take_loads(motion, &motion->at) : status;
+}
+
+void lag_motion_try(lag_motion *motion, double t, const double *x)
+{
+    const int solved = lag_motion_solve(motion, t, x) == LAG_OK;
+    lag_fill(solved ? 0 : motion->model->nq, (double)NAN, motion->qdd);
+    lag_fill(solved ? 0 : motion->model->nc, (double)NAN, motion->lam);
 }
 
 lag_status lag_motion_know(lag_motion *motion, double t, const double *x, const double *xd)

@@ -4,6 +4,7 @@
 
 #include "lag/delays/delays.h"
 #include "lag/dynamics.h"
+#include "lag/equations/discretes.h"
 #include "lag/ode.h"
 #include "lag/parallel.h"
 
@@ -40,6 +41,7 @@ typedef struct lag_motion_along {
 
 typedef struct lag_motion {
     const lag_model *model;
+    lag_places places;   /* in w */
     lag_arguments at;    /* what was evaluated last; w and p stay until the caller changes them */
     lag_kept kept;       /* for results with few entries */
     double *u, *w;       /* (nu) (nw) */
@@ -92,6 +94,9 @@ void lag_motion_set_state(lag_motion *motion, double t, const double *x);
 
 /* The same, with qdd and lam solved. */
 lag_status lag_motion_solve(lag_motion *motion, double t, const double *x);
+
+/* The same; qdd and lam are no numbers where there are none. */
+void lag_motion_try(lag_motion *motion, double t, const double *x);
 
 /* The same, where its rates xd may be known (or null). */
 lag_status lag_motion_know(lag_motion *motion, double t, const double *x, const double *xd);

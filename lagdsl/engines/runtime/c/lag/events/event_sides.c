@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/events/event_iteration.h"
+#include "lag/events/instant.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
@@ -20,10 +20,10 @@ static const double DEEP = 16.0;
 static const double LOW = 1e4;
 static const double SHORT = 1e-3;
 
-static lag_status indicate(lag_event_iteration *iteration, double t, const double *x, double *g)
+static lag_status indicate(lag_instants *instants, double t, const double *x, double *g)
 {
-    lag_event_iteration_solve(iteration->motion, t, x);
-    return iteration->motion->model->indicator(&iteration->motion->at, g);
+    lag_motion_try(instants->motion, t, x);
+    return instants->motion->model->indicator(&instants->motion->at, g);
 }
 
 static int holds(const lag_model *model, size_t i, double g)
@@ -31,12 +31,12 @@ static int holds(const lag_model *model, size_t i, double g)
     return g > 0.0 || (g == 0.0 && model->strict[i] == 0);
 }
 
-lag_status lag_event_iteration_relations(lag_event_iteration *iteration, double t, const double *x)
+lag_status lag_instants_relations(lag_instants *instants, double t, const double *x)
 {
-    const lag_model *model = iteration->motion->model;
-    const lag_status status = model->nindicator > 0 ? indicate(iteration, t, x, iteration->sides.now) : LAG_OK;
+    const lag_model *model = instants->motion->model;
+    const lag_status status = model->nindicator > 0 ? indicate(instants, t, x, instants->sides.now) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        iteration->motion->w[iteration->places.relation + i] = holds(model, i, iteration->sides.now[i]);
+        instants->motion->w[instants->motion->places.relation + i] = holds(model, i, instants->sides.now[i]);
     }
     return status;
 }
@@ -50,40 +50,40 @@ static double sign_of(double value, double error)
 }
 
 /* True if relation i has turned in this event: it was found to (flags, or null), or a pass has turned it. */
-static int has_turned(const lag_event_iteration *iteration, const double *turned, size_t i)
+static int has_turned(const lag_instants *instants, const double *turned, size_t i)
 {
-    const size_t place = iteration->places.relation + i;
-    return (turned != NULL && turned[i] != 0.0) || iteration->motion->w[place] != iteration->instant.stood[place];
+    const size_t place = instants->motion->places.relation + i;
+    return (turned != NULL && turned[i] != 0.0) || instants->motion->w[place] != instants->instant.stood[place];
 }
 
 /* True if this instant has moved the value of relation i. */
-static int is_moved(const lag_event_iteration *iteration, size_t i)
+static int is_moved(const lag_instants *instants, size_t i)
 {
-    return fabs(iteration->noise->value[i] - iteration->sides.before[i]) > iteration->noise->sigma[i];
+    return fabs(instants->noise.value[i] - instants->sides.before[i]) > instants->noise.sigma[i];
 }
 
 /*
  * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or it is near zero,
  * disagrees with the mode, and this instant has not moved it: a projection has.
  */
-static int is_at_border(const lag_event_iteration *iteration, size_t i, double window)
+static int is_at_border(const lag_instants *instants, size_t i, double window)
 {
-    const lag_noise *noise = iteration->noise;
-    const size_t count = iteration->motion->model->nindicator;
+    const lag_noise *noise = &instants->noise;
+    const size_t count = instants->motion->model->nindicator;
     const double g = noise->value[i];
-    const double passed = window * fabs(noise->value[count + iteration->motion->model->ncorner + i]);
-    const int disagrees = holds(iteration->motion->model, i, g) != (iteration->motion->w[iteration->places.relation + i] != 0.0);
-    const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(iteration, i);
+    const double passed = window * fabs(noise->value[count + instants->motion->model->ncorner + i]);
+    const int disagrees = holds(instants->motion->model, i, g) != (instants->motion->w[instants->motion->places.relation + i] != 0.0);
+    const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(instants, i);
     return is_off || !(fabs(g) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
 }
 
 /* The side of relation i by its value, at its border by its rate, then by its acceleration; 0: they do not show it. */
-static double side_of(const lag_event_iteration *iteration, size_t i, double window)
+static double side_of(const lag_instants *instants, size_t i, double window)
 {
-    const lag_noise *noise = iteration->noise;
-    const size_t count = iteration->motion->model->nindicator;
-    const size_t rate = count + iteration->motion->model->ncorner + i;
-    if (!is_at_border(iteration, i, window)) {
+    const lag_noise *noise = &instants->noise;
+    const size_t count = instants->motion->model->nindicator;
+    const size_t rate = count + instants->motion->model->ncorner + i;
+    if (!is_at_border(instants, i, window)) {
         return sign_of(noise->value[i], 0.0);
     }
     const double side = sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
@@ -91,22 +91,22 @@ static double side_of(const lag_event_iteration *iteration, size_t i, double win
 }
 
 /* Values of the relations before the event, into `before`. */
-static lag_status evaluate_before(lag_event_iteration *iteration, double t)
+static lag_status evaluate_before(lag_instants *instants, double t)
 {
-    iteration->motion->at.w = iteration->instant.stood;
-    const lag_status status = indicate(iteration, t, iteration->instant.from, iteration->sides.before);
-    iteration->motion->at.w = iteration->motion->w;
+    instants->motion->at.w = instants->instant.stood;
+    const lag_status status = indicate(instants, t, instants->instant.from, instants->sides.before);
+    instants->motion->at.w = instants->motion->w;
     return status;
 }
 
 /* True if all relations are clear of their round-off as it was known last, and of their motion in the window; one that was located is at its border. */
-static int are_clear(const lag_event_iteration *iteration, double window)
+static int are_clear(const lag_instants *instants, double window)
 {
-    const lag_noise *noise = iteration->noise;
-    const size_t count = iteration->motion->model->nindicator;
-    const double *rate = noise->value + count + iteration->motion->model->ncorner;
+    const lag_noise *noise = &instants->noise;
+    const size_t count = instants->motion->model->nindicator;
+    const double *rate = noise->value + count + instants->motion->model->ncorner;
     size_t i = 0;
-    if (iteration->sides.located != NULL && lag_any(count, iteration->sides.located)) {
+    if (instants->sides.located != NULL && lag_any(count, instants->sides.located)) {
         return 0; /* where it was known last, the gradient may have been zero */
     }
     while (i < count && noise->sigma[i] > 0.0 && fabs(noise->value[i]) > fmax(LAG_CLEARLY * noise->sigma[i], window * fabs(rate[i]))) {
@@ -116,59 +116,59 @@ static int are_clear(const lag_event_iteration *iteration, double window)
 }
 
 /* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`. */
-static lag_status find_sides(lag_event_iteration *iteration, double t, const double *x, double window)
+static lag_status find_sides(lag_instants *instants, double t, const double *x, double window)
 {
-    lag_noise *noise = iteration->noise;
-    const size_t count = iteration->motion->model->nindicator;
+    lag_noise *noise = &instants->noise;
+    const size_t count = instants->motion->model->nindicator;
     const int known = lag_noise_update(noise, t, x) == LAG_OK;
-    const int clear = known && are_clear(iteration, window);
+    const int clear = known && are_clear(instants, window);
     if (known && !clear) {
         lag_noise_find(noise, t, x);
     }
-    double *now = iteration->sides.now;
-    lag_status status = known ? LAG_OK : indicate(iteration, t, x, now); /* there may be no accelerations */
+    double *now = instants->sides.now;
+    lag_status status = known ? LAG_OK : indicate(instants, t, x, now); /* there may be no accelerations */
     if (known) {
         memcpy(now, noise->value, count * sizeof(double));
     }
-    memcpy(iteration->sides.before, now, count * sizeof(double));
-    status = known && !clear ? evaluate_before(iteration, t) : status;
+    memcpy(instants->sides.before, now, count * sizeof(double));
+    status = known && !clear ? evaluate_before(instants, t) : status;
     for (size_t i = 0; i < count; ++i) {
-        iteration->sides.side[i] = known && !clear ? side_of(iteration, i, window) : sign_of(now[i], 0.0);
+        instants->sides.side[i] = known && !clear ? side_of(instants, i, window) : sign_of(now[i], 0.0);
     }
     return status;
 }
 
-lag_status lag_event_iteration_sides(lag_event_iteration *iteration, double t, const double *x, const double *turned)
+lag_status lag_instants_sides(lag_instants *instants, double t, const double *x, const double *turned)
 {
-    const lag_model *model = iteration->motion->model;
-    double *truth = iteration->motion->w + iteration->places.relation;
-    const double *side = iteration->sides.side;
+    const lag_model *model = instants->motion->model;
+    double *truth = instants->motion->w + instants->motion->places.relation;
+    const double *side = instants->sides.side;
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, iteration->instant.moment);
-    const int alone = iteration->sides.begins && !iteration->instant.acted && lag_same(iteration->places.relation, iteration->instant.stood, iteration->motion->w); /* relations turned */
+    const lag_status status = find_sides(instants, t, x, instants->instant.moment);
+    const int alone = instants->sides.begins && !instants->instant.acted && lag_same(instants->motion->places.relation, instants->instant.stood, instants->motion->w); /* relations turned */
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const int returns = alone && truth[i] != iteration->instant.stood[iteration->places.relation + i];
+        const int returns = alone && truth[i] != instants->instant.stood[instants->motion->places.relation + i];
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
-        } else if (!has_turned(iteration, turned, i) && fabs(iteration->sides.before[i]) > lag_noise_known(iteration->noise, i)) {
+        } else if (!has_turned(instants, turned, i) && fabs(instants->sides.before[i]) > lag_noise_known(&instants->noise, i)) {
             truth[i] = holds(model, i, 0.0); /* a clause has put it there: no projection moves a value so far */
         }
     }
     return status;
 }
 
-lag_status lag_event_iteration_keep_turning(lag_event_iteration *iteration, double t, const double *x, double *turned)
+lag_status lag_instants_keep_turning(lag_instants *instants, double t, const double *x, double *turned)
 {
-    const lag_model *model = iteration->motion->model;
-    const double *truth = iteration->motion->w + iteration->places.relation;
+    const lag_model *model = instants->motion->model;
+    const double *truth = instants->motion->w + instants->motion->places.relation;
     if (!lag_any(model->nindicator, turned)) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(iteration, t, x, iteration->instant.moment);
+    const lag_status status = find_sides(instants, t, x, instants->instant.moment);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = holds(model, i, iteration->sides.side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
+        turned[i] = holds(model, i, instants->sides.side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
     }
     return status;
 }
@@ -176,15 +176,15 @@ lag_status lag_event_iteration_keep_turning(lag_event_iteration *iteration, doub
 /* ---- series of resets ---- */
 
 /* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
-static int returns_too_slowly(lag_event_iteration *iteration, double t, const double *x, const double *turned, double flight, double low)
+static int returns_too_slowly(lag_instants *instants, double t, const double *x, const double *turned, double flight, double low)
 {
-    const lag_model *model = iteration->motion->model;
-    const double *truth = iteration->motion->w + iteration->places.relation;
-    const double *stood = iteration->instant.stood + iteration->places.relation;
-    const double *g = iteration->noise->value;
+    const lag_model *model = instants->motion->model;
+    const double *truth = instants->motion->w + instants->motion->places.relation;
+    const double *stood = instants->instant.stood + instants->motion->places.relation;
+    const double *g = instants->noise.value;
     const double *rate = g + model->nindicator + model->ncorner;
     int any = 0;
-    const lag_status status = lag_noise_update(iteration->noise, t, x);
+    const lag_status status = lag_noise_update(&instants->noise, t, x);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const double rise = truth[i] != 0.0 ? -rate[i] : rate[i];
         const int stands = turned[i] != 0.0 && truth[i] != stood[i] && holds(model, i, g[i]) == (truth[i] != 0.0);
@@ -193,14 +193,14 @@ static int returns_too_slowly(lag_event_iteration *iteration, double t, const do
     return any;
 }
 
-int lag_event_iteration_accumulates(
-    lag_event_iteration *iteration, double t, const double *x, const double *turned, lag_crowd *resets, double length)
+int lag_instants_accumulates(
+    lag_instants *instants, double t, const double *x, const double *turned, lag_crowd *resets, double length)
 {
-    if (!iteration->instant.acted) {
+    if (!instants->instant.acted) {
         return 0;
     }
     const int crowds = lag_crowds(resets, t, length, 1);
     const double flight = resets->ratio * resets->interval;
     const double low = flight < SHORT * length ? LOW : DEEP;
-    return crowds || (resets->shrinking >= SERIES && returns_too_slowly(iteration, t, x, turned, flight, low));
+    return crowds || (resets->shrinking >= SERIES && returns_too_slowly(instants, t, x, turned, flight, low));
 }

@@ -15,7 +15,7 @@ size_t lag_guards_count(const lag_guards *guards)
 
 static int is_closed(const lag_guards *guards, size_t k)
 {
-    return guards->motion->w[guards->places.contact + k] != 0.0;
+    return guards->motion->w[guards->motion->places.contact + k] != 0.0;
 }
 
 /* Finds the terms of all values, where `motion` is. */
@@ -33,7 +33,7 @@ static lag_status look(lag_guards *guards)
 
 static double relation(const lag_guards *guards, size_t k)
 {
-    const int holds = guards->motion->w[guards->places.relation + k] != 0.0;
+    const int holds = guards->motion->w[guards->motion->places.relation + k] != 0.0;
     return guards->held[k] != 0.0 ? 1.0 : holds ? guards->g[k] : -guards->g[k];
 }
 
@@ -110,42 +110,23 @@ double lag_guards_known(const lag_guards *guards, size_t which)
 
 /* ---- memory ---- */
 
-size_t lag_guards_memory(const lag_model *model)
-{
-    const size_t count = lag_guard_count(model) + model->ncorner;
-    return 5 * model->nindicator + 2 * model->ncorner + (8 + LAG_PIECE_SAMPLES) * count;
-}
-
-void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory)
+void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, lag_layout *layout)
 {
     const lag_model *model = motion->model;
     const size_t count = lag_guard_count(model) + model->ncorner;
-    guards->motion = motion;
-    guards->places = lag_places_of(model);
-    guards->contacts = reserve->frictions->contacts;
-    guards->frictions = reserve->frictions;
-    guards->reserve = reserve;
-    guards->noise = noise;
-    lag_take_all(&memory, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
+    *guards = (lag_guards){.motion = motion, .contacts = reserve->frictions->contacts, .frictions = reserve->frictions,
+        .reserve = reserve, .noise = noise, .time = (double)NAN};
+    lag_lay_all(layout, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
         &guards->pieces.found, &guards->pieces.sought, NULL});
     for (size_t k = 0; k < LAG_PIECE_SAMPLES; ++k) {
-        guards->pieces.seen[k] = lag_take(&memory, count);
+        guards->pieces.seen[k] = lag_lay(layout, count);
     }
-    lag_take_all(&memory, model->nindicator, (double **const[]){&guards->pieces.when, &guards->held, &guards->swing, &guards->doubted, &guards->g, NULL});
-    guards->corners.far = lag_take(&memory, model->ncorner);
-    guards->corners.side = memory;
-    guards->pieces.span = guards->pieces.reach = 0.0;
-    guards->corners.reach = 0.0;
+    guards->pieces.when = lag_lay_filled(layout, model->nindicator, -(double)INFINITY);
+    guards->swing = lag_lay_filled(layout, model->nindicator, (double)INFINITY);
+    guards->doubted = lag_lay_filled(layout, model->nindicator, (double)INFINITY);
+    lag_lay_all(layout, model->nindicator, (double **const[]){&guards->held, &guards->g, NULL});
+    lag_lay_all(layout, model->ncorner, (double **const[]){&guards->corners.far, &guards->corners.side, NULL});
     guards->pieces.limit = (double)INFINITY;
-    guards->sought = NULL;
-    guards->time = (double)NAN;
-    lag_fill(count, 0.0, guards->depth);
-    lag_fill(count, 0.0, guards->band);
-    lag_fill(count, 0.0, guards->top);
-    lag_fill(model->nindicator, 0.0, guards->held);
-    lag_fill(model->nindicator, -(double)INFINITY, guards->pieces.when);
-    lag_fill(model->nindicator, (double)INFINITY, guards->swing);
-    lag_fill(model->nindicator, (double)INFINITY, guards->doubted);
 }
 
 /* ---- looks ---- */
@@ -211,7 +192,7 @@ static int ends_at_zero(const lag_guards *guards, size_t i)
 {
     const lag_model *model = guards->motion->model;
     return i < model->nindicator && guards->value[i] == 0.0 &&
-        (guards->motion->w[guards->places.relation + i] != 0.0) == (model->strict[i] != 0);
+        (guards->motion->w[guards->motion->places.relation + i] != 0.0) == (model->strict[i] != 0);
 }
 
 /* True if guard i may have left its mode: its rounding error here is not known. */
@@ -285,7 +266,6 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)
     if (count == 0) {
         return LAG_OK;
     }
-    lag_noise_follow(guards->noise, x);
     lag_contacts_follow(guards->contacts, x);
     guards->time = (double)NAN;
     const lag_status status = evaluate(guards, t, x);
@@ -306,9 +286,4 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)
         guards->contacts->sizes.force[k] = isfinite(force) ? fmax(guards->contacts->sizes.force[k], force) : guards->contacts->sizes.force[k];
     }
     return status;
-}
-
-void lag_guards_hold(lag_guards *guards, lag_projection *projection, double t, const double *x, double *point)
-{
-    lag_noise_hold(guards->noise, projection, t, x, point, guards->held);
 }

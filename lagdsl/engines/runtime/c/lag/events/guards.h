@@ -26,13 +26,12 @@ typedef struct lag_pieces {
     double *seen[LAG_PIECE_SAMPLES];       /* (nindicator + ncontact + nfriction + ncorner) values */
     double *root, *found, *sought; /* the same */
     double *when;                  /* (nindicator) time of the last change that was found */
-    double span, reach;            /* values were known over so long a piece; the next one is as long as this [s]; 0: not yet */
+    double reach;                  /* the next piece is as long as this [s]; 0: not known yet */
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
 } lag_pieces;
 
 typedef struct lag_guards {
     lag_motion *motion;
-    lag_places places;
     lag_contacts *contacts;
     lag_frictions *frictions;
     lag_reserve *reserve;
@@ -58,10 +57,8 @@ static inline size_t lag_guard_count(const lag_model *model)
     return model->nindicator + model->ncontact + model->nfriction;
 }
 
-/* Doubles for it. */
-size_t lag_guards_memory(const lag_model *model);
-
-void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, double *memory);
+/* Lays them out; arrays of a new layout are zero. */
+void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reserve, lag_noise *noise, lag_layout *layout);
 
 /* So many guards are watched: relations, contacts, friction, corners. */
 size_t lag_guards_count(const lag_guards *guards);
@@ -83,8 +80,5 @@ lag_status lag_guards_begin(lag_guards *guards, double t, const double *x);
 
 /* LAG_EVENT_PENDING if a guard has left its mode at x at time t, with the discretes of `motion`. */
 lag_status lag_guards_detect(lag_guards *guards, double t, const double *x);
-
-/* Finds the relations that the rows of the mode hold from x at time t on. `point` (2 nq + nz) is for its own use. */
-void lag_guards_hold(lag_guards *guards, lag_projection *projection, double t, const double *x, double *point);
 
 #endif

@@ -10,40 +10,43 @@
 /* An instant is known to so many roundings of the last step. */
 static const double ULPS = 4096.0;
 
-size_t lag_instants_memory(const lag_model *model)
+static void place_iteration(lag_instants *instants, const lag_model *model, lag_layout *layout)
 {
-    return 2 * model->nclock + lag_contacts_memory(model) + lag_frictions_memory(model) + lag_modes_memory(model) + lag_event_iteration_memory(model) + lag_noise_memory(model) +
-           lag_impulse_memory(model) + lag_timed_memory(model) + lag_refraction_memory(model) + lag_motion_size(model) + model->nw;
+    lag_clauses *clauses = &instants->clauses;
+    lag_lay_all(layout, model->nw, (double **const[]){&instants->discretes.before, &instants->discretes.next, &instants->discretes.guilty,
+        &instants->discretes.settled, &instants->instant.stood, NULL});
+    lag_lay_all(layout, model->nreset, (double **const[]){&clauses->reset, &clauses->value, NULL});
+    lag_lay_all(layout, model->ncollision, (double **const[]){&clauses->collision, &clauses->restitution, NULL});
+    clauses->stop = lag_lay(layout, model->nstop);
+    clauses->fail = lag_lay(layout, model->nfail);
+    lag_lay_all(layout, lag_motion_size(model), (double **const[]){&clauses->held, &instants->trial.point, &instants->instant.from, NULL});
+    instants->trial.states = lag_lay(layout, model->nz);
+    lag_lay_all(layout, model->nindicator, (double **const[]){&instants->sides.now, &instants->sides.side, &instants->sides.before,
+        &instants->sides.truth, NULL});
+    lag_lay_all(layout, model->ncontact, (double **const[]){&instants->trial.closed, &instants->trial.pulling, NULL});
+    instants->leaving.flags = lag_lay(layout, model->ncontact + model->nfriction);
+    instants->leaving.frictions = lag_lay(layout, model->nfriction + model->nslip);
+    instants->instant.moment = 1e-9;
 }
 
-void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clock, double *memory)
+void lag_instants_place(lag_instants *instants, lag_motion *motion, lag_projection *projection, lag_clock *clocks, lag_layout *layout)
 {
     const lag_model *model = motion->model;
     const double infinite = (double)INFINITY;
-    memset(instants, 0, sizeof *instants);
-    instants->motion = motion;
-    instants->places = lag_places_of(model);
-    instants->clock = clock;
-    instants->first = memory;
-    instants->period = instants->first + model->nclock;
-    memory = instants->period + model->nclock;
-    lag_contacts_place(&instants->contacts, motion, lag_take(&memory, lag_contacts_memory(model)));
+    *instants = (lag_instants){.motion = motion, .projection = projection, .clocks.each = clocks};
+    lag_lay_all(layout, model->nclock, (double **const[]){&instants->clocks.first, &instants->clocks.period, NULL});
+    lag_contacts_place(&instants->contacts, motion, layout);
     instants->contacts.limits = projection->limits;
     instants->contacts.impulse = &instants->impulse;
     instants->contacts.frictions = &instants->frictions;
-    lag_frictions_place(&instants->frictions, motion, &instants->contacts, lag_take(&memory, lag_frictions_memory(model)));
-    lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, lag_take(&memory, lag_modes_memory(model)));
-    lag_noise_place(&instants->noise, motion, lag_take(&memory, lag_noise_memory(model)));
-    lag_impulse_place(&instants->impulse, motion, lag_take(&memory, lag_impulse_memory(model)));
-    lag_timed_place(&instants->timed, motion, lag_take(&memory, lag_timed_memory(model)));
-    lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, lag_take(&memory, lag_refraction_memory(model)));
-    instants->x_before = lag_take(&memory, lag_motion_size(model));
-    instants->w_before = lag_take(&memory, model->nw);
-    lag_event_iteration_place(&instants->iteration, &instants->contacts, &instants->impulse, &instants->timed, projection, &instants->noise, memory);
-    instants->iteration.refraction = &instants->refraction;
-    instants->iteration.modes = &instants->modes;
-    instants->iteration.instant.from = instants->x_before;
-    instants->iteration.instant.stood = instants->w_before;
+    lag_frictions_place(&instants->frictions, motion, &instants->contacts, layout);
+    lag_modes_place(&instants->modes, &instants->contacts, &instants->frictions, layout);
+    lag_noise_place(&instants->noise, &instants->contacts, layout);
+    lag_impulse_place(&instants->impulse, motion, layout);
+    lag_timed_place(&instants->timed, motion, layout);
+    lag_refraction_place(&instants->refraction, &instants->contacts, &instants->noise, layout);
+    lag_position_maps_place(&instants->maps, motion, layout);
+    place_iteration(instants, model, layout);
     instants->crowd = instants->resets = (lag_crowd){.last = -infinite, .interval = infinite, .first = infinite};
 }
 
@@ -54,13 +57,13 @@ static lag_status start_clocks(lag_instants *instants, double t)
     const lag_model *model = instants->motion->model;
     instants->motion->at.t = t;
     const lag_status status =
-        model->nclock > 0 ? model->clock(&instants->motion->at, instants->first, instants->period) : LAG_OK;
+        model->nclock > 0 ? model->clock(&instants->motion->at, instants->clocks.first, instants->clocks.period) : LAG_OK;
     for (size_t i = 0; i < model->nclock && status == LAG_OK; ++i) {
-        if (!(instants->period[i] > 0.0) || !isfinite(instants->first[i])) {
+        if (!(instants->clocks.period[i] > 0.0) || !isfinite(instants->clocks.first[i])) {
             return LAG_BAD_CLOCK;
         }
-        instants->clock[i] = lag_clock_of(instants->first[i], instants->period[i]);
-        lag_clock_enter(&instants->clock[i], t);
+        instants->clocks.each[i] = lag_clock_of(instants->clocks.first[i], instants->clocks.period[i]);
+        lag_clock_enter(&instants->clocks.each[i], t);
     }
     return status;
 }
@@ -68,14 +71,14 @@ static lag_status start_clocks(lag_instants *instants, double t)
 double lag_instants_next(const lag_instants *instants)
 {
     const double next = lag_lower(lag_timed_next(&instants->timed), lag_contacts_end_of_bounces(&instants->contacts));
-    return lag_lower(next, lag_clocks_next(instants->motion->model->nclock, instants->clock));
+    return lag_lower(next, lag_clocks_next(instants->motion->model->nclock, instants->clocks.each));
 }
 
 /* True if a clock ticks, or bounces are over. */
 static int is_reported(const lag_instants *instants, double t)
 {
     const size_t count = instants->motion->model->nclock;
-    return lag_clocks_due(count, instants->clock, t) < count || lag_contacts_end_of_bounces(&instants->contacts) <= t;
+    return lag_clocks_due(count, instants->clocks.each, t) < count || lag_contacts_end_of_bounces(&instants->contacts) <= t;
 }
 
 int lag_instants_due(const lag_instants *instants, double t)
@@ -86,7 +89,7 @@ int lag_instants_due(const lag_instants *instants, double t)
 
 double lag_instants_same(const lag_instants *instants, double t)
 {
-    return lag_clocks_same(instants->motion->model->nclock, instants->clock, t);
+    return lag_clocks_same(instants->motion->model->nclock, instants->clocks.each, t);
 }
 
 /* Clocks that tick now, into w; they go on to their next tick. */
@@ -94,10 +97,10 @@ static lag_status tick_clocks(lag_instants *instants, double t, const double *x)
 {
     lag_status status = LAG_OK;
     for (size_t i = 0; i < instants->motion->model->nclock && status == LAG_OK; ++i) {
-        if (lag_clock_is_due(&instants->clock[i], t)) {
-            ++instants->clock[i].next;
-            instants->motion->w[instants->places.clock + i] = 1.0;
-            status = lag_event_iteration_report(&instants->iteration, t, x, LAG_TICK, i);
+        if (lag_clock_is_due(&instants->clocks.each[i], t)) {
+            ++instants->clocks.each[i].next;
+            instants->motion->w[instants->motion->places.clock + i] = 1.0;
+            status = lag_instants_report(instants, t, x, LAG_TICK, i);
         }
     }
     return status;
@@ -111,7 +114,7 @@ static lag_status report_rest(lag_instants *instants, double t, const double *x)
     for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
         if (contacts->until[i] <= t) {
             contacts->until[i] = (double)INFINITY;
-            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_event_iteration_report(&instants->iteration, t, x, LAG_CLOSED, i) : LAG_OK;
+            status = *lag_contacts_flag(contacts, i) != 0.0 ? lag_instants_report(instants, t, x, LAG_CLOSED, i) : LAG_OK;
         }
     }
     return status;
@@ -121,37 +124,37 @@ static lag_status report_rest(lag_instants *instants, double t, const double *x)
 
 static lag_status run(lag_instants *instants, double t, double *x, const double *relations, const double *sides)
 {
-    lag_status status = lag_event_iteration_run(&instants->iteration, t, x, relations, sides);
+    lag_status status = lag_instants_run(instants, t, x, relations, sides);
     if (status == LAG_OK && instants->timed.next > t) {
         status = lag_timed_find_next(&instants->timed, t);
     }
-    return status == LAG_OK && instants->iteration.clauses.stopped ? LAG_STOPPED : status;
+    return status == LAG_OK && instants->clauses.stopped ? LAG_STOPPED : status;
 }
 
 /* The discretes and the state before an instant. */
 static void remember(lag_instants *instants, const double *x)
 {
-    memcpy(instants->x_before, x, lag_motion_size(instants->motion->model) * sizeof(double));
-    memcpy(instants->w_before, instants->motion->w, instants->motion->model->nw * sizeof(double));
-    instants->iteration.instant.acted = 0;
+    memcpy(instants->instant.from, x, lag_motion_size(instants->motion->model) * sizeof(double));
+    memcpy(instants->instant.stood, instants->motion->w, instants->motion->model->nw * sizeof(double));
+    instants->instant.acted = 0;
     instants->modes.jumped = 0;
 }
 
 /* Relations and conditions as they stand at the start; time goes on, so that conditions that it makes true at once act. */
 static lag_status initialize(lag_instants *instants, double t, const double *x)
 {
-    const lag_places *places = &instants->iteration.places;
+    const lag_places *places = &instants->motion->places;
     const size_t count = places->clock - places->condition;
     double *conditions = instants->motion->w + places->condition;
     lag_status status = lag_timed_set(&instants->timed, t);
-    status = status == LAG_OK ? lag_event_iteration_initialize(&instants->iteration, t, x) : status;
+    status = status == LAG_OK ? lag_instants_initialize(instants, t, x) : status;
     if (instants->motion->model->ntimed == 0 || status != LAG_OK) {
         return status;
     }
-    memcpy(instants->w_before, conditions, count * sizeof(double));
+    memcpy(instants->instant.stood, conditions, count * sizeof(double));
     status = lag_timed_set_behind(&instants->timed, t);
-    status = status == LAG_OK ? lag_event_iteration_initialize(&instants->iteration, t, x) : status;
-    memcpy(conditions, instants->w_before, count * sizeof(double));
+    status = status == LAG_OK ? lag_instants_initialize(instants, t, x) : status;
+    memcpy(conditions, instants->instant.stood, count * sizeof(double));
     return status;
 }
 
@@ -164,7 +167,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     instants->timed.length = instants->contacts.length;
     status = status == LAG_OK ? initialize(instants, t, x) : status;
     if (status == LAG_OK) {
-        const int pierced = lag_contacts_penetrating(&instants->contacts, t, x, instants->iteration.discretes.guilty + instants->places.contact);
+        const int pierced = lag_contacts_penetrating(&instants->contacts, t, x, instants->discretes.guilty + instants->motion->places.contact);
         status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.blows.closing);
     }
     instants->modes.jumped = 1; /* nothing is known of them */
@@ -174,22 +177,22 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     if (status != LAG_OK) {
         return status;
     }
-    if (instants->places.initial < model->nw) {
-        motion->w[instants->places.initial] = 1.0;
+    if (instants->motion->places.initial < model->nw) {
+        motion->w[instants->motion->places.initial] = 1.0;
     }
     remember(instants, x);
-    instants->iteration.sides.begins = 1;
+    instants->sides.begins = 1;
     status = run(instants, t, x, NULL, NULL);
-    instants->iteration.sides.begins = 0;
+    instants->sides.begins = 0;
     return status;
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)
 {
-    if (instants->places.terminal == instants->motion->model->nw) {
+    if (instants->motion->places.terminal == instants->motion->model->nw) {
         return LAG_OK;
     }
-    instants->motion->w[instants->places.terminal] = 1.0;
+    instants->motion->w[instants->motion->places.terminal] = 1.0;
     return run(instants, t, x, NULL, NULL);
 }
 
@@ -218,7 +221,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, c
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
     }
-    status = lag_event_iteration_open(&instants->iteration, t, x);
+    status = lag_instants_open(instants, t, x);
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 
@@ -240,12 +243,12 @@ static lag_status report_time_events(lag_instants *instants, double t, const dou
 {
     const lag_model *model = instants->motion->model;
     const lag_timed *timed = &instants->timed;
-    const double *w = instants->motion->w + timed->first;
+    const double *w = instants->motion->w + instants->motion->places.timed;
     lag_status status = LAG_OK;
     for (size_t i = 0; i < model->ntimed && status == LAG_OK; ++i) {
         if (timed->told[i] != 0.0 && w[i] != timed->before[i]) {
             const lag_event_kind truth = w[i] != 0.0 ? LAG_TRUE : LAG_FALSE;
-            status = lag_event_iteration_report(&instants->iteration, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
+            status = lag_instants_report(instants, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
         }
     }
     return status;
@@ -254,8 +257,8 @@ static lag_status report_time_events(lag_instants *instants, double t, const dou
 /* Gaps and position maps are continuous. */
 static lag_status check_positions(lag_instants *instants, double t, const double *x)
 {
-    const double moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
-    return lag_event_iteration_check_positions(&instants->iteration, t, x, moment);
+    const double moment = fmax(instants->instant.late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
+    return lag_instants_check_positions(instants, t, x, moment);
 }
 
 lag_status lag_instants_change_unreported(lag_instants *instants, double t, double *x, int *quiet)
@@ -277,8 +280,8 @@ lag_status lag_instants_change_unreported(lag_instants *instants, double t, doub
 void lag_instants_take_back(const lag_instants *instants, double *x)
 {
     const lag_model *model = instants->motion->model;
-    memcpy(x, instants->x_before, lag_motion_size(model) * sizeof(double));
-    memcpy(instants->motion->w, instants->w_before, model->nw * sizeof(double));
+    memcpy(x, instants->instant.from, lag_motion_size(model) * sizeof(double));
+    memcpy(instants->motion->w, instants->instant.stood, model->nw * sizeof(double));
     lag_delays_take_back(&instants->motion->delays);
 }
 
@@ -300,14 +303,13 @@ static lag_status carry_out_due(lag_instants *instants, double t, double *x)
 /* Relations that pass zero just now turn with the clocks that tick. */
 static lag_status turn_relations(lag_instants *instants, double t, const double *x)
 {
-    lag_event_iteration *iteration = &instants->iteration;
     const lag_model *model = instants->motion->model;
-    const double *truth = instants->motion->w + instants->places.relation;
-    memcpy(iteration->discretes.before, instants->motion->w, model->nw * sizeof(double));
-    lag_status status = lag_event_iteration_sides(iteration, t, x, NULL);
+    const double *truth = instants->motion->w + instants->motion->places.relation;
+    memcpy(instants->discretes.before, instants->motion->w, model->nw * sizeof(double));
+    lag_status status = lag_instants_sides(instants, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        if (truth[i] != iteration->discretes.before[instants->places.relation + i]) {
-            status = lag_event_iteration_report(iteration, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
+        if (truth[i] != instants->discretes.before[instants->motion->places.relation + i]) {
+            status = lag_instants_report(instants, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
         }
     }
     return status;
@@ -328,18 +330,18 @@ lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
 /* A relation changes at an event. */
 static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
 {
-    const double *truth = instants->motion->w + instants->places.relation;
+    const double *truth = instants->motion->w + instants->motion->places.relation;
     int refracted = 0;
     int back = 0;
-    lag_status status = lag_event_iteration_cross(&instants->iteration, t, x, i, &refracted, &back);
-    instants->iteration.instant.acted = instants->iteration.instant.acted || refracted;
+    lag_status status = lag_instants_cross(instants, t, x, i, &refracted, &back);
+    instants->instant.acted = instants->instant.acted || refracted;
     instants->modes.jumped = 1;
     if (status == LAG_OK && !back) {
-        status = lag_event_iteration_turn_gaps(&instants->iteration, t, x, i);
+        status = lag_instants_turn_gaps(instants, t, x, i);
     }
     for (size_t k = 0; k < instants->motion->model->nindicator && status == LAG_OK && !back; ++k) {
         if (k == i || (refracted && truth[k] != instants->refraction.truth[k])) {
-            status = lag_event_iteration_report(&instants->iteration, t, x, truth[k] != 0.0 ? LAG_TRUE : LAG_FALSE, k);
+            status = lag_instants_report(instants, t, x, truth[k] != 0.0 ? LAG_TRUE : LAG_FALSE, k);
         }
     }
     return status;
@@ -348,41 +350,41 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int located, int ticks)
 {
     const lag_model *model = instants->motion->model;
-    const double *truth = instants->motion->w + instants->places.relation;
+    const double *truth = instants->motion->w + instants->motion->places.relation;
     remember(instants, x);
     lag_status status = ticks ? carry_out_due(instants, t, x) : LAG_OK;
-    status = ticks && status == LAG_OK ? lag_event_iteration_keep_turning(&instants->iteration, t, x, changed) : status;
+    status = ticks && status == LAG_OK ? lag_instants_keep_turning(instants, t, x, changed) : status;
     int any = 0;
-    instants->iteration.sides.located = located ? changed : NULL;
+    instants->sides.located = located ? changed : NULL;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0) {
             any = 1;
         }
-        if (changed[i] != 0.0 && truth[i] == instants->w_before[instants->places.relation + i]) {
+        if (changed[i] != 0.0 && truth[i] == instants->instant.stood[instants->motion->places.relation + i]) {
             status = turn_relation(instants, t, x, i);
         }
     }
-    instants->iteration.leaving.turned = any || ticks;
+    instants->leaving.turned = any || ticks;
     if (status == LAG_OK) {
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
-    instants->iteration.sides.located = NULL;
+    instants->sides.located = NULL;
     lag_fill(model->ncontact, 0.0, instants->contacts.blows.met);
     status = status == LAG_OK ? check_positions(instants, t, x) : status;
     const int sunk = status == LAG_OK && any &&
-        lag_event_iteration_accumulates(&instants->iteration, t, x, changed, &instants->resets, instants->contacts.length);
+        lag_instants_accumulates(instants, t, x, changed, &instants->resets, instants->contacts.length);
     const int crowds = lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk;
     if (!crowds || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
-    memcpy(instants->iteration.discretes.guilty + instants->places.relation, changed, model->nindicator * sizeof(double));
-    memcpy(instants->iteration.discretes.guilty + instants->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
-    memcpy(instants->iteration.discretes.guilty + instants->places.sticks, changed + model->nindicator + model->ncontact, model->nfriction * sizeof(double));
+    memcpy(instants->discretes.guilty + instants->motion->places.relation, changed, model->nindicator * sizeof(double));
+    memcpy(instants->discretes.guilty + instants->motion->places.contact, changed + model->nindicator, model->ncontact * sizeof(double));
+    memcpy(instants->discretes.guilty + instants->motion->places.sticks, changed + model->nindicator + model->ncontact, model->nfriction * sizeof(double));
     return LAG_CHATTER;
 }
 
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->iteration.instant.moment = fmax(instants->late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
+    instants->instant.moment = fmax(instants->instant.late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
     instants->frictions.step = h;
 }

@@ -6,6 +6,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/slope.h"
+#include "lag/linalg/vector.h"
 
 /* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
 static const double CHANGE = 16.0 * DBL_EPSILON;
@@ -28,52 +29,22 @@ static size_t all_of(const lag_model *model)
     return count_of(model) + 2 * model->nindicator;
 }
 
-size_t lag_noise_memory(const lag_model *model)
+void lag_noise_place(lag_noise *noise, lag_contacts *contacts, lag_layout *layout)
 {
+    lag_motion *motion = contacts->motion;
+    const lag_model *model = motion->model;
     const size_t unknown = model->nu + model->nq + model->nc;
-    return count_of(model) > 0 ? 2 * (lag_motion_size(model) + model->nu) + unknown + 4 * all_of(model) + 2 * model->nindicator : 0;
-}
-
-/* Rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers. */
-static void leave_unknown(lag_noise *noise, double *unknown)
-{
-    lag_motion *motion = noise->motion;
-    const lag_model *model = motion->model;
-    lag_fill(model->nu + model->nq + model->nc, (double)NAN, unknown);
-    motion->at.du = unknown;
-    motion->at.dqdd = unknown + model->nu;
-    motion->at.dlam = unknown + model->nu + model->nq;
-}
-
-void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory)
-{
-    const lag_model *model = motion->model;
-    const size_t size = count_of(model) > 0 ? lag_motion_size(model) : 0;
-    const size_t inputs = count_of(model) > 0 ? model->nu : 0;
-    noise->motion = motion;
-    noise->tolerance = 0.0;
-    noise->peak = lag_take(&memory, size + inputs);
-    noise->point = lag_take(&memory, size);
-    noise->u = lag_take(&memory, inputs);
-    lag_take_all(&memory, all_of(model), (double **const[]){&noise->value, &noise->other, &noise->opposite, &noise->sigma, NULL});
-    if (size > 0) {
-        leave_unknown(noise, lag_take(&memory, model->nu + model->nq + model->nc));
+    *noise = (lag_noise){.motion = motion, .contacts = contacts, .peak = contacts->sizes.peak};
+    if (count_of(model) == 0) {
+        return;
     }
-    noise->largest = memory;
-    memset(noise->peak, 0, (size + inputs) * sizeof(double));
-    memset(noise->sigma, 0, all_of(model) * sizeof(double));
-    memset(noise->largest, 0, 2 * model->nindicator * sizeof(double));
-}
-
-void lag_noise_follow(lag_noise *noise, const double *x)
-{
-    const lag_model *model = noise->motion->model;
-    const size_t size = lag_motion_size(model);
-    const size_t count = count_of(model) > 0 ? size + model->nu : 0;
-    for (size_t i = 0; i < count; ++i) {
-        const double magnitude = fabs(i < size ? x[i] : noise->motion->u[i - size]);
-        noise->peak[i] = magnitude > noise->peak[i] ? magnitude : noise->peak[i];
-    }
+    noise->point = lag_lay(layout, lag_motion_size(model));
+    noise->u = lag_lay(layout, model->nu);
+    lag_lay_all(layout, all_of(model), (double **const[]){&noise->value, &noise->other, &noise->opposite, &noise->sigma, NULL});
+    noise->largest = lag_lay(layout, 2 * model->nindicator);
+    /* rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers */
+    const double *none = lag_lay_filled(layout, unknown, (double)NAN);
+    motion->at.du = motion->at.dqdd = motion->at.dlam = none;
 }
 
 /* An irregular part of number i in change k: 0.5 to 1, of either sign. */
@@ -162,9 +133,8 @@ static lag_status change_at(lag_noise *noise, double t, const double *x, unsigne
 void lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
-    const lag_status status = lag_noise_update(noise, t, x);
-    lag_noise_follow(noise, x);
-    if (status != LAG_OK) {
+    lag_contacts_follow(noise->contacts, x);
+    if (all_of(model) == 0 || lag_noise_update(noise, t, x) != LAG_OK) {
         return;
     }
     for (size_t i = 0; i < all_of(model); ++i) {
@@ -258,7 +228,7 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
 
 /* ---- gradients ---- */
 
-/* A line through x: along coordinate or rate j, or along time with the states, the positions held. */
+/* A line through x: along coordinate or rate j, or, behind them, along time with the states, the positions held. */
 typedef struct lag_line {
     lag_noise *noise;
     double t;
@@ -266,32 +236,21 @@ typedef struct lag_line {
     size_t which, j;
 } lag_line;
 
-/* The indicator at noise->point, with accelerations and multipliers as they are; not a number where there is none. */
-static double noise_indicator(const lag_line *line, double t)
+/* The indicator there, with accelerations and multipliers as they are; not a number where there is none. */
+static double along_line(void *context, double by)
 {
+    const lag_line *line = context;
     lag_motion *motion = line->noise->motion;
-    lag_motion_set_state(motion, t, line->noise->point);
-    return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
-}
-
-static double along_one(void *context, double by)
-{
-    const lag_line *line = context;
-    double *point = line->noise->point + line->j;
-    *point = line->x[line->j] + by;
-    const double g = noise_indicator(line, line->t);
-    *point = line->x[line->j];
-    return g;
-}
-
-static double along_time(void *context, double by)
-{
-    const lag_line *line = context;
-    const lag_model *model = line->noise->motion->model;
-    for (size_t j = 2 * model->nq; j < lag_motion_size(model); ++j) {
-        line->noise->point[j] = line->x[j] + by * line->rate[j];
+    const size_t count = 2 * motion->model->nq;
+    double *point = line->noise->point;
+    memcpy(point, line->x, lag_motion_size(motion->model) * sizeof(double));
+    if (line->j < count) {
+        point[line->j] += by;
+    } else {
+        lag_axpy(motion->model->nz, by, line->rate + count, point + count);
     }
-    return noise_indicator(line, line->t + by);
+    lag_motion_set_state(motion, line->j < count ? line->t : line->t + by, point);
+    return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
 }
 
 int lag_noise_differentiate(
@@ -304,14 +263,13 @@ int lag_noise_differentiate(
     double largest[2] = {0.0, 0.0}; /* coordinate and rate */
     int by_place = 0;
     int by_rates = 0;
-    memcpy(noise->point, x, lag_motion_size(model) * sizeof(double));
     for (size_t j = 0; j < 2 * n; ++j) {
         largest[j / n] = fmax(largest[j / n], lag_noise_extent(noise, x, j));
     }
     for (line.j = 0; line.j < 2 * n; ++line.j) {
         slope.unit = lag_noise_extent(noise, x, line.j);
         slope.most = largest[line.j / n];
-        lag_slope_find(&slope, along_one, &line);
+        lag_slope_find(&slope, along_line, &line);
         if (line.j < n) {
             gradient[line.j] = slope.value;
             by_place = by_place || slope.value != 0.0;
@@ -320,7 +278,7 @@ int lag_noise_differentiate(
         }
     }
     slope.unit = slope.most = fmax(fabs(t), length);
-    lag_slope_find(&slope, along_time, &line);
+    lag_slope_find(&slope, along_line, &line);
     *drift = slope.value;
     return isfinite(*drift) && by_place && !by_rates;
 }

@@ -7,7 +7,7 @@
 #ifndef LAG_NOISE_H
 #define LAG_NOISE_H
 
-#include "lag/equations/motion.h"
+#include "lag/contacts/contact.h"
 #include "lag/equations/projection.h"
 
 /* A value beyond this many times its last known rounding error is clear of it. */
@@ -16,20 +16,15 @@ static const double LAG_CLEARLY = 1e6;
 typedef struct lag_noise {
     lag_motion *motion;
     double tolerance;     /* of the motion, relative */
-    double *peak;         /* (2 nq + nz + nu) largest magnitude of each number so far */
+    lag_contacts *contacts;
+    const double *peak;   /* (2 nq + nz + nu) largest magnitude of each number so far: theirs */
     double *point, *u;    /* (2 nq + nz) (nu) */
     double *value, *other, *opposite; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
     double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
     double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
 } lag_noise;
 
-/* Doubles for it. */
-size_t lag_noise_memory(const lag_model *model);
-
-void lag_noise_place(lag_noise *noise, lag_motion *motion, double *memory);
-
-/* The motion passed through x, with the inputs that it has. */
-void lag_noise_follow(lag_noise *noise, const double *x);
+void lag_noise_place(lag_noise *noise, lag_contacts *contacts, lag_layout *layout);
 
 /* Values at x at time t; rates and accelerations are no numbers where they depend on the rates of inputs, accelerations or multipliers. */
 lag_status lag_noise_update(lag_noise *noise, double t, const double *x);

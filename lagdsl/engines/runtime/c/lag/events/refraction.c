@@ -27,21 +27,16 @@ typedef struct lag_side {
     double sense;  /* 1: g grows in the motion that is looked for, -1: it falls */
 } lag_side;
 
-size_t lag_refraction_memory(const lag_model *model)
-{
-    return 4 * model->nq + 2 * lag_motion_size(model) + 4 * model->nindicator + model->nc * (model->nq + 1) + model->ngap;
-}
-
-void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *noise, double *memory)
+void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *noise, lag_layout *layout)
 {
     const lag_model *model = contacts->motion->model;
-    *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise, .places = contacts->places};
-    lag_take_all(&memory, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
-    lag_take_all(&memory, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
-    lag_take_all(&memory, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
-    r->rows = lag_take(&memory, model->nc * model->nq);
-    r->speeds = lag_take(&memory, model->nc);
-    r->gap_speeds = memory;
+    *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise};
+    lag_lay_all(layout, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
+    lag_lay_all(layout, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
+    lag_lay_all(layout, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
+    r->rows = lag_lay(layout, model->nc * model->nq);
+    r->speeds = lag_lay(layout, model->nc);
+    r->gap_speeds = lag_lay(layout, model->ngap);
 }
 
 /* ---- both sides ---- */
@@ -68,7 +63,7 @@ static lag_status evaluate_side(lag_refraction *r, double t, const double *x, do
 
 static void set_relations(lag_refraction *r, const double *truth)
 {
-    memcpy(r->motion->w + r->places.relation, truth, r->motion->model->nindicator * sizeof(double));
+    memcpy(r->motion->w + r->motion->places.relation, truth, r->motion->model->nindicator * sizeof(double));
 }
 
 /* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were, r->other what they are. */
@@ -76,7 +71,7 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
 {
     lag_motion *motion = r->motion;
     const lag_model *model = motion->model;
-    double *truth = motion->w + r->places.relation;
+    double *truth = motion->w + r->motion->places.relation;
     int turned = 1;
     memcpy(r->truth, truth, model->nindicator * sizeof(double));
     lag_motion_set_state(motion, t, x);
@@ -164,7 +159,7 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
 static lag_status find_gap_speeds(lag_refraction *r, double t, const double *x)
 {
     const size_t count = r->motion->model->ncontact;
-    const int any = lag_any(count, r->motion->w + r->places.contact);
+    const int any = lag_any(count, r->motion->w + r->motion->places.contact);
     const lag_status status = any ? lag_contacts_evaluate_at(r->contacts, t, x) : LAG_OK;
     memcpy(r->gap_speeds, r->contacts->speed, count * sizeof(double));
     return status;
@@ -176,7 +171,7 @@ static lag_status add_contacts(lag_refraction *r, double t, const double *x)
     lag_contacts *contacts = r->contacts;
     const lag_model *model = r->motion->model;
     lag_inequalities_clear(&contacts->blows.rows);
-    if (!lag_any(model->ncontact, r->motion->w + r->places.contact)) {
+    if (!lag_any(model->ncontact, r->motion->w + r->motion->places.contact)) {
         return LAG_OK;
     }
     const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
@@ -322,7 +317,7 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
 {
     lag_motion *motion = r->motion;
     const size_t n = motion->model->nq;
-    double *truth = motion->w + r->places.relation;
+    double *truth = motion->w + r->motion->places.relation;
     lag_side side = {.sense = truth[which] == 0.0 ? 1.0 : -1.0};
     double after = 0.0;
     double size = 0.0;

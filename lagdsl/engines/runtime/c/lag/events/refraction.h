@@ -26,7 +26,6 @@ typedef struct lag_refraction {
     lag_contacts *contacts; /* their impulse problem, and the rows of their blows, are used */
     lag_impulse *impulse;
     lag_noise *noise;
-    lag_places places;
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
     double *before;         /* (nq) momenta on this side */
@@ -38,10 +37,7 @@ typedef struct lag_refraction {
     double *truth, *other;  /* (nindicator) relations on this side, and on the other one */
 } lag_refraction;
 
-/* Doubles for it. */
-size_t lag_refraction_memory(const lag_model *model);
-
-void lag_refraction_place(lag_refraction *refraction, lag_contacts *contacts, lag_noise *noise, double *memory);
+void lag_refraction_place(lag_refraction *refraction, lag_contacts *contacts, lag_noise *noise, lag_layout *layout);
 
 /*
  * Relation `which` is about to change at x, at time t but for `lookahead` [s], infinite where it was located; its entry of w is that of before. If the

@@ -17,22 +17,13 @@ enum { HALVES = 20 };
 /* until cubics are off by less than this part of what is seen. */
 static const double OFF = 0.01;
 
-size_t lag_timed_memory(const lag_model *model)
-{
-    return 3 * model->ntimed + 8 * model->ndistance;
-}
-
-void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory)
+void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    memset(timed, 0, sizeof *timed);
-    timed->motion = motion;
-    timed->first = lag_places_of(model).timed;
-    timed->next = (double)INFINITY;
-    lag_take_all(&memory, model->ntimed, (double **const[]){&timed->value, &timed->told, &timed->before, NULL});
-    lag_take_all(&memory, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->change,
-        &timed->old_distance, &timed->old_rate, NULL});
-    timed->zero = memory;
+    *timed = (lag_timed){.motion = motion, .next = (double)INFINITY};
+    lag_lay_all(layout, model->ntimed, (double **const[]){&timed->value, &timed->told, &timed->before, NULL});
+    lag_lay_all(layout, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->change,
+        &timed->old_distance, &timed->old_rate, &timed->zero, NULL});
 }
 
 static lag_status evaluate(lag_timed *timed, double t)
@@ -221,7 +212,7 @@ lag_status lag_timed_set(lag_timed *timed, double t)
         return LAG_OK;
     }
     const lag_status status = evaluate(timed, t);
-    memcpy(timed->motion->w + timed->first, timed->value, count * sizeof(double));
+    memcpy(timed->motion->w + timed->motion->places.timed, timed->value, count * sizeof(double));
     return status;
 }
 
@@ -262,7 +253,7 @@ lag_status lag_timed_find_next(lag_timed *timed, double t)
 static int is_lost(const lag_timed *timed, size_t i, double later)
 {
     const size_t count = timed->motion->model->ntimed;
-    const double *w = timed->motion->w + timed->first;
+    const double *w = timed->motion->w + timed->motion->places.timed;
     const int known = timed->entry[i] >= 0.0 && timed->entry[i] < (double)count;
     const int reached = timed->affine[i] != 0.0 && timed->zero[i] <= later;
     return known && reached && w[(size_t)timed->entry[i]] == timed->before[(size_t)timed->entry[i]];
@@ -272,7 +263,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
 {
     const lag_model *model = timed->motion->model;
     const double later = lag_timed_behind(timed, t);
-    double *w = timed->motion->w + timed->first;
+    double *w = timed->motion->w + timed->motion->places.timed;
     int lost = 0;
     lag_delays_change(&timed->motion->delays, later);
     if (timed->next <= later) {
@@ -306,7 +297,7 @@ lag_status lag_timed_change(lag_timed *timed, double t)
 
 int lag_timed_is_reported(const lag_timed *timed)
 {
-    const double *w = timed->motion->w + timed->first;
+    const double *w = timed->motion->w + timed->motion->places.timed;
     int told = timed->motion->delays.jumps.any;
     for (size_t i = 0; i < timed->motion->model->ntimed; ++i) {
         told = told || (timed->told[i] != 0.0 && w[i] != timed->before[i]);

@@ -11,10 +11,10 @@
 
 #include "lag/equations/discretes.h"
 #include "lag/equations/motion.h"
+#include "lag/linalg/arena.h"
 
 typedef struct lag_timed {
     lag_motion *motion;
-    size_t first;                             /* the first entry of w */
     double length;                            /* of the experiment [s]; 0: not known */
     double next;                              /* time of the next change, or up to which there is none */
     double *value, *told;                     /* (ntimed) */
@@ -24,10 +24,7 @@ typedef struct lag_timed {
     double *old_distance, *old_rate;          /* (ndistance) with the entries before the change */
 } lag_timed;
 
-/* Doubles for them. */
-size_t lag_timed_memory(const lag_model *model);
-
-void lag_timed_place(lag_timed *timed, lag_motion *motion, double *memory);
+void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout);
 
 /* Entries are what they are at time t, */
 lag_status lag_timed_set(lag_timed *timed, double t);

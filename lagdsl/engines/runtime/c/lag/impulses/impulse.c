@@ -19,26 +19,16 @@ static const double BEYOND = 0.5;
 /* Less than this part of a step changes no rate. */
 static const double NOTHING = 1e-60;
 
-size_t lag_impulse_memory(const lag_model *model)
-{
-    const size_t n = model->nq;
-    return 8 * n + model->nc + model->nw + lag_motion_size(model) + lag_impulse_step_memory(model);
-}
-
-void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory)
+void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, lag_layout *layout)
 {
     const lag_model *model = motion->model;
-    const size_t n = model->nq;
-    *impulse = (lag_impulse){.motion = motion, .places = lag_places_of(model)};
-    lag_take_all(&memory, n, (double **const[]){&impulse->before, &impulse->now, &impulse->aim, &impulse->from, &impulse->size, &impulse->change,
-        &impulse->chosen, NULL});
-    impulse->mass = motion->written.mass;
-    impulse->jacobian = motion->written.rows[1];
-    impulse->residual = lag_take(&memory, model->nc);
-    impulse->w = lag_take(&memory, model->nw);
-    impulse->point = lag_take(&memory, lag_motion_size(model));
-    impulse->rates = lag_take(&memory, n);
-    impulse->work = memory;
+    *impulse = (lag_impulse){.motion = motion, .mass = motion->written.mass, .jacobian = motion->written.rows[1]};
+    lag_lay_all(layout, model->nq, (double **const[]){&impulse->before, &impulse->now, &impulse->aim, &impulse->from, &impulse->size, &impulse->change,
+        &impulse->chosen, &impulse->rates, NULL});
+    impulse->residual = lag_lay(layout, model->nc);
+    impulse->w = lag_lay(layout, model->nw);
+    impulse->point = lag_lay(layout, lag_motion_size(model));
+    impulse->work = lag_lay(layout, lag_impulse_step_memory(model));
 }
 
 /* ---- momenta and rows ---- */
@@ -69,8 +59,8 @@ lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x)
     lag_motion *motion = impulse->motion;
     const lag_model *model = motion->model;
     memcpy(impulse->w, motion->w, model->nw * sizeof(double));
-    lag_fill(model->ncontact, 0.0, impulse->w + impulse->places.contact);
-    lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->places.sticks);
+    lag_fill(model->ncontact, 0.0, impulse->w + impulse->motion->places.contact);
+    lag_fill(model->nfriction + model->nslip, 0.0, impulse->w + impulse->motion->places.sticks);
     lag_motion_set_state(motion, t, x);
     lag_status status = momenta(impulse, impulse->w, x + model->nq, impulse->now);
     motion->at.w = impulse->w;

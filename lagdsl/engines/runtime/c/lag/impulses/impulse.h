@@ -24,7 +24,6 @@
 
 typedef struct lag_impulse {
     lag_motion *motion;
-    lag_places places;
     double *before;    /* (nq) momenta that the problem begins with */
     double *now;       /* (nq) momenta at the rates evaluated last, */
     double *mass;      /* (nq, nq) M, */
@@ -43,10 +42,7 @@ typedef struct lag_impulse {
     double *work;      /* of one step */
 } lag_impulse;
 
-/* Doubles for it. */
-size_t lag_impulse_memory(const lag_model *model);
-
-void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, double *memory);
+void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, lag_layout *layout);
 
 /* Remembers the momenta at x = (q, qd, z) with discretes w (nw). */
 lag_status lag_impulse_keep_momenta(lag_impulse *impulse, double t, const double *x, const double *w);

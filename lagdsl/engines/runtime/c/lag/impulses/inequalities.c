@@ -4,23 +4,15 @@
 
 #include "lag/linalg/arena.h"
 
-size_t lag_inequalities_memory(const lag_model *model)
+void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *model, lag_layout *layout)
 {
     const size_t most = model->ngap + model->nslip;
-    return most * (2 * model->nq + 7) + model->ngap + 2 * model->nfriction + model->nfriction * model->ngap;
-}
-
-void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *model, double *memory)
-{
-    const size_t most = model->ngap + model->nslip;
-    inequalities->rows = lag_take(&memory, most * model->nq);
-    inequalities->columns = lag_take(&memory, most * model->nq);
-    lag_take_all(&memory, most, (double **const[]){&inequalities->speed, &inequalities->force, &inequalities->after, &inequalities->scale,
+    lag_lay_all(layout, most * model->nq, (double **const[]){&inequalities->rows, &inequalities->columns, NULL});
+    lag_lay_all(layout, most, (double **const[]){&inequalities->speed, &inequalities->force, &inequalities->after, &inequalities->scale,
         &inequalities->compliance, &inequalities->start, &inequalities->first, NULL});
-    inequalities->restitution = lag_take(&memory, model->ngap);
-    inequalities->components = lag_take(&memory, model->nfriction);
-    inequalities->limits = lag_take(&memory, model->nfriction);
-    inequalities->coefficients = memory;
+    inequalities->restitution = lag_lay(layout, model->ngap);
+    lag_lay_all(layout, model->nfriction, (double **const[]){&inequalities->components, &inequalities->limits, NULL});
+    inequalities->coefficients = lag_lay(layout, model->nfriction * model->ngap);
     lag_inequalities_clear(inequalities);
 }
 

@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "lag/linalg/arena.h"
 #include "lag/model.h"
 
 /* The component of the coordinates that a row (nq) moves. */
@@ -41,10 +42,7 @@ typedef struct lag_inequalities {
     double *start, *first; /* (size) speeds before a blow, impulses of its compression */
 } lag_inequalities;
 
-/* Doubles for all gaps and slips of a model. */
-size_t lag_inequalities_memory(const lag_model *model);
-
-void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *model, double *memory);
+void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *model, lag_layout *layout);
 
 /* None. Normals come first. */
 void lag_inequalities_clear(lag_inequalities *inequalities);

@@ -10,16 +10,11 @@
 
 /* A map is continuous at an instant if it is the same there to LAG_SOLVED, or to LAG_FEW round-offs of coordinates or changes of a moment. */
 
-size_t lag_position_maps_memory(const lag_model *model)
-{
-    return 4 * model->nway + lag_motion_size(model);
-}
-
-void lag_position_maps_place(lag_position_maps *maps, lag_motion *motion, double *memory)
+void lag_position_maps_place(lag_position_maps *maps, lag_motion *motion, lag_layout *layout)
 {
     maps->motion = motion;
-    maps->way = lag_take(&memory, 4 * motion->model->nway);
-    maps->point = memory;
+    maps->way = lag_lay(layout, 4 * motion->model->nway);
+    maps->point = lag_lay(layout, lag_motion_size(motion->model));
 }
 
 /* Ways of masses at x with discretes w. */

@@ -5,6 +5,7 @@
 #define LAG_POSITION_MAPS_H
 
 #include "lag/equations/motion.h"
+#include "lag/linalg/arena.h"
 
 typedef struct lag_position_maps {
     lag_motion *motion;
@@ -12,10 +13,7 @@ typedef struct lag_position_maps {
     double *point; /* (2 nq + nz) */
 } lag_position_maps;
 
-/* Doubles for them. */
-size_t lag_position_maps_memory(const lag_model *model);
-
-void lag_position_maps_place(lag_position_maps *maps, lag_motion *motion, double *memory);
+void lag_position_maps_place(lag_position_maps *maps, lag_motion *motion, lag_layout *layout);
 
 /*
  * LAG_WAY_JUMP if a map is elsewhere at x with the discretes of now than with `before` (nw) at `stood`, which is x with

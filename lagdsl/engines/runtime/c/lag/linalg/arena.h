@@ -29,6 +29,31 @@ static inline void lag_take_all(double **memory, size_t count, double **const *a
     }
 }
 
+/*
+ * Arrays that lie one behind the other. One function lays out what a part of a program works in; where there is no `memory` yet it counts the doubles, and
+ * the arrays are null.
+ */
+typedef struct lag_layout {
+    double *memory;
+    size_t count; /* so many doubles are laid out */
+} lag_layout;
+
+/* The next `count` doubles. */
+static inline double *lag_lay(lag_layout *layout, size_t count)
+{
+    double *start = layout->memory != NULL ? layout->memory + layout->count : NULL;
+    layout->count += count;
+    return start;
+}
+
+/* The same for each of these arrays; null behind the last. */
+static inline void lag_lay_all(lag_layout *layout, size_t count, double **const *arrays)
+{
+    for (; *arrays != NULL; ++arrays) {
+        **arrays = lag_lay(layout, count);
+    }
+}
+
 /* As many flags, all zero, in the room of `count` doubles. */
 static inline unsigned char *lag_take_flags(double **memory, size_t count)
 {
@@ -56,6 +81,14 @@ static inline void lag_fill(size_t count, double value, double *x)
     for (size_t i = 0; i < count; ++i) {
         x[i] = value;
     }
+}
+
+/* The next `count` doubles, each of this value. */
+static inline double *lag_lay_filled(lag_layout *layout, size_t count, double value)
+{
+    double *start = lag_lay(layout, count);
+    lag_fill(start != NULL ? count : 0, value, start);
+    return start;
 }
 
 /* The first entry of x (count) that is not zero; count: there is none. */

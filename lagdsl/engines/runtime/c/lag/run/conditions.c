@@ -118,7 +118,7 @@ static lag_status warn(lag_run *run, double t, const double *x)
     lag_status status = LAG_OK;
     for (size_t i = 0; i < na && status == LAG_OK; ++i) {
         i = lag_conditions_warning(watch, i);
-        status = i < na ? lag_event_iteration_report(&run->instants.iteration, t, x, LAG_WARNING, i) : LAG_OK;
+        status = i < na ? lag_instants_report(&run->instants, t, x, LAG_WARNING, i) : LAG_OK;
     }
     return status;
 }

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "lag/equations/discretes.h"
-#include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
@@ -48,7 +47,7 @@ void lag_run_solve(lag_run *run, double t, const double *x, int after_event)
     if (lag_run_crosses(run->motion.model, &run->options) && run->sizes.found) { /* before a start is known nothing tells ranks */
         lag_singular_row(&run->ranks.singular, t, x, after_event);
     } else {
-        lag_event_iteration_solve(&run->motion, t, x);
+        lag_motion_try(&run->motion, t, x);
     }
 }
 
@@ -90,7 +89,7 @@ lag_status lag_results_row(lag_results *results, lag_run *run, double t, const d
 {
     const lag_model *model = run->motion.model;
     const size_t size = lag_motion_size(model);
-    const size_t variables = run->instants.places.contact;
+    const size_t variables = run->motion.places.contact;
     const lag_status status = empty_when_full(results);
     double *row = results->rows + results->row * width_of(model, variables);
     if (status != LAG_OK) {

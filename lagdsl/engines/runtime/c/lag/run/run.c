@@ -14,12 +14,27 @@ int lag_run_crosses(const lag_model *model, const lag_run_options *options)
     return options->careful && model->nc > 0;
 }
 
+static void lay_instants(lag_run *run, lag_layout *layout)
+{
+    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, layout);
+    lag_guards_place(&run->guards, &run->motion, &run->instants.modes.reserve, &run->instants.noise, layout);
+}
+
+/* Doubles of it. */
+static size_t instants_memory(const lag_model *model)
+{
+    lag_layout layout = {NULL, 0};
+    lag_run run = {.motion.model = model};
+    lay_instants(&run, &layout);
+    return layout.count;
+}
+
 size_t lag_run_numbers(const lag_model *model)
 {
     const size_t size = lag_motion_size(model);
     const lag_ode ode = lag_motion_ode(model);
     return lag_motion_memory(model) + lag_stepper_memory(&ode) + lag_projection_memory(model) +
-           lag_rank_estimate_memory(model) + lag_guards_memory(model) + lag_instants_memory(model) + lag_conditions_memory(model) +
+           lag_rank_estimate_memory(model) + instants_memory(model) + lag_conditions_memory(model) +
            lag_stiffness_memory(size) + 6 * size + 3 * model->nc + 3 * model->ni +
            2 * lag_guard_count(model) + model->np + model->nu + lag_turns_memory(model) + 1;
 }
@@ -68,15 +83,13 @@ static lag_status report_event(void *context, const lag_event_notice *notice)
     return status == LAG_OK && callbacks->tell != NULL ? callbacks->tell(callbacks->context, run, &told) : status;
 }
 
-static void place_instants(lag_run *run, const lag_model *model, double **memory)
+/* From the options. */
+static void set_instants(lag_run *run)
 {
     const lag_run_options *options = &run->options;
-    double *own = lag_take(memory, lag_instants_memory(model));
-    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, own);
-    lag_guards_place(&run->guards, &run->motion, &run->instants.modes.reserve, &run->instants.noise, lag_take(memory, lag_guards_memory(model)));
     run->instants.noise.tolerance = options->tolerance;
-    run->instants.iteration.listener.tell = report_event;
-    run->instants.iteration.listener.context = run;
+    run->instants.listener.tell = report_event;
+    run->instants.listener.context = run;
     run->instants.contacts.length = options->length > 0.0 ? options->length
         : options->count > 1                              ? options->times[options->count - 1] - options->times[0]
                                                           : 0.0;
@@ -143,7 +156,10 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
         lag_singular_place(&run->ranks.singular, run, run->block.initial + (options->start != NULL ? lag_initial_memory(model) : 0));
     }
     lag_run_depend(run, model->redundant);
-    place_instants(run, model, &memory);
+    lag_layout layout = {memory, 0};
+    lay_instants(run, &layout);
+    memory += layout.count;
+    set_instants(run);
     run->accuracy = (lag_accuracy){size, run->sizes.group, run->sizes.natural, run->sizes.cap, lag_take(&memory, size), 0.0};
     run->point = lag_take(&memory, size);
     run->block.p = lag_take(&memory, model->np);
@@ -174,9 +190,9 @@ void lag_run_tell(const lag_run *run, lag_run_report *report)
         .changes = run->methods.changes,
         .w = run->motion.w,
         .changed = run->guards.changed,
-        .guilty = run->instants.iteration.discretes.guilty,
+        .guilty = run->instants.discretes.guilty,
         .doubted = run->guards.doubted,
-        .fault = run->instants.iteration.clauses.fault,
+        .fault = run->instants.clauses.fault,
         .next = lag_instants_next(&run->instants),
         .change = run->methods.change,
         .implicit = s->method->implicit,

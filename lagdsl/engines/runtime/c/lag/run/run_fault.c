@@ -17,7 +17,7 @@ lag_status lag_run_evaluate(lag_run *run, int which, double t, const double *x, 
     if (which == LAG_OUTPUT) {
         lag_run_solve(run, t, x, t <= run->counts.entered);
     } else {
-        lag_event_iteration_solve(motion, t, x);
+        lag_motion_try(motion, t, x);
     }
     return lag_evaluate(motion->model, (lag_function)which, &motion->at, results);
 }
@@ -170,7 +170,7 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         break;
     case LAG_CONFLICT:
     case LAG_ASSERTION_FAILED:
-        fault->which = run->instants.iteration.clauses.fault;
+        fault->which = run->instants.clauses.fault;
         break;
     default:
         break;

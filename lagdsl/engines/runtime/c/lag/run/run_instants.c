@@ -16,7 +16,7 @@ static int has_instants(const lag_run *run)
 
 static lag_status report(lag_run *run, lag_event_kind what)
 {
-    return lag_event_iteration_report(&run->instants.iteration, run->stepper.t, run->stepper.x, what, 0);
+    return lag_instants_report(&run->instants, run->stepper.t, run->stepper.x, what, 0);
 }
 
 /* True if relation i turns again, slowly, though since it turned it has been no farther from zero than the motion is known. */
@@ -64,8 +64,8 @@ static lag_status end(lag_run *run, lag_status status)
 /* The same for one that has turned the relations: as they lie now, they have not changed. */
 static lag_status end_with_relations(lag_run *run, lag_status status)
 {
-    const double *before = run->instants.w_before + run->guards.places.relation;
-    const double *truth = run->motion.w + run->guards.places.relation;
+    const double *before = run->instants.instant.stood + run->motion.places.relation;
+    const double *truth = run->motion.w + run->motion.places.relation;
     const lag_status ended = end(run, status);
     if (ended != LAG_OK && ended != LAG_STOPPED) {
         return ended;
@@ -73,7 +73,7 @@ static lag_status end_with_relations(lag_run *run, lag_status status)
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
         run->guards.swing[i] = truth[i] != before[i] ? 0.0 : run->guards.swing[i];
     }
-    lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
+    lag_noise_hold(run->guards.noise, &run->projection, run->stepper.t, run->stepper.x, run->point, run->guards.held);
     const lag_status seen = lag_guards_begin(&run->guards, run->stepper.t, run->stepper.x);
     return seen == LAG_OK ? ended : seen;
 }
@@ -83,7 +83,7 @@ static lag_status enter(lag_run *run)
     lag_delays_clear(&run->motion.delays);
     const lag_status status = has_instants(run) ? lag_instants_begin(&run->instants, run->stepper.t, run->stepper.x) : LAG_OK;
     if (status == LAG_OK) {
-        lag_guards_hold(&run->guards, &run->projection, run->stepper.t, run->stepper.x, run->point);
+        lag_noise_hold(run->guards.noise, &run->projection, run->stepper.t, run->stepper.x, run->point, run->guards.held);
     }
     if ((status == LAG_OK || status == LAG_STOPPED) && run->motion.model->ndelay > 0) {
         lag_motion_set_state(&run->motion, run->stepper.t, run->stepper.x);
@@ -101,7 +101,7 @@ static lag_status keep_turning(lag_run *run, double *changed)
         return LAG_OK;
     }
     run->motion.until = (double)INFINITY;
-    const lag_status status = lag_event_iteration_keep_turning(&run->instants.iteration, run->stepper.t, run->stepper.x, changed);
+    const lag_status status = lag_instants_keep_turning(&run->instants, run->stepper.t, run->stepper.x, changed);
     run->motion.until = until;
     return status;
 }
@@ -142,7 +142,7 @@ static lag_status find_turned(lag_run *run, int *any)
     double *contacts = guards->changed + model->nindicator;
     lag_status status = lag_guard_count(model) > 0 ? lag_guards_detect(guards, lag_timed_behind(&run->instants.timed, s->t), s->x) : LAG_OK;
     for (size_t i = 0; i < model->ncontact; ++i) { /* gaps of open contacts do not jump */
-        contacts[i] *= run->motion.w[guards->places.contact + i];
+        contacts[i] *= run->motion.w[guards->motion->places.contact + i];
     }
     *any = status == LAG_EVENT_PENDING && lag_any(lag_guard_count(model), guards->changed);
     lag_fill(model->ncontact + model->nfriction, 0.0, contacts); /* these follow */
@@ -183,7 +183,7 @@ static lag_status tick(lag_run *run)
 static lag_status find_changed(lag_run *run, int *any)
 {
     const lag_status status = find_turned(run, any);
-    return status == LAG_OK && !*any ? lag_event_iteration_conditions(&run->instants.iteration, run->stepper.t, run->stepper.x, any) : status;
+    return status == LAG_OK && !*any ? lag_instants_conditions(&run->instants, run->stepper.t, run->stepper.x, any) : status;
 }
 
 /*
@@ -262,7 +262,7 @@ lag_status lag_run_carry(lag_run *run, const lag_cause *cause)
     if (cause->kind != LAG_CAUSE_END) {
         return cause->changed != NULL ? carry_out(run, cause->h, cause->changed, cause->kind == LAG_CAUSE_TIME) : tick(run);
     }
-    const int ends = has_instants(run) && run->instants.places.terminal < run->motion.model->nw;
+    const int ends = has_instants(run) && run->motion.places.terminal < run->motion.model->nw;
     return ends ? end(run, lag_instants_end(&run->instants, run->stepper.t, run->stepper.x)) : LAG_OK;
 }
 

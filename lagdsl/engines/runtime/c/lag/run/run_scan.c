@@ -170,21 +170,15 @@ static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
 {
     const double w = in->b - in->a;
     const int whole = in->samples == LAST;
-    if (!whole && place_of(in, in->samples) - in->a > run->guards.pieces.span && w > 1.5 * on->shortest) {
-        on->reach = place_of(in, in->samples) - in->a; /* nothing is known of so short a time: it is sampled as a piece */
-        return 0;
-    }
     const double doubt = largest_doubt(run, in);
     if (doubt > LAG_KNOWN_PART && w > 1.5 * on->shortest) {
         on->reach = fmax(on->shortest, fmin(0.7 * w, lag_piece_length(w, doubt)));
-        run->guards.pieces.span = fmin(run->guards.pieces.span, on->reach);
         return 0;
     }
     if (whole && status == LAG_OK) {
         const double next = lag_piece_length(w, doubt);
         const int cut = w < (1.0 - CUT) * on->reach;
         on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
-        run->guards.pieces.span = fmax(run->guards.pieces.span, w);
     }
     return 1;
 }
@@ -223,17 +217,6 @@ static lag_status find_zeros_at_end(lag_run *run, const piece *in)
     return any ? LAG_EVENT_PENDING : LAG_OK;
 }
 
-/* Values that change within round-off of time behind the end do so with those that were found there. */
-static void join_at_end(lag_run *run, const piece *in)
-{
-    double *found = run->guards.pieces.root;
-    memcpy(found, run->guards.changed, count_of(run) * sizeof(double));
-    (void)find_zeros_at_end(run, in);
-    for (size_t i = 0; i < count_of(run); ++i) {
-        run->guards.changed[i] = run->guards.changed[i] != 0.0 || found[i] != 0.0;
-    }
-}
-
 static lag_status scan_pieces(lag_run *run, scan *on, double *t)
 {
     const lag_stepper *s = &run->stepper;
@@ -256,9 +239,6 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
                 (void)lag_scan_detect(run, b);
             }
             *t = lag_scan_earliest(run, a, b);
-            if (in.b == s->t && in.samples == LAST && s->t - *t <= LAG_SCAN_TOGETHER * lag_scan_tolerance(run)) {
-                join_at_end(run, &in);
-            }
             return status;
         }
         if (accepted && in.b == s->t && find_zeros_at_end(run, &in) == LAG_EVENT_PENDING) {

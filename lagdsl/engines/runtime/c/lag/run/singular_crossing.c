@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "lag/equations/entries.h"
-#include "lag/events/event_iteration.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/svd.h"
@@ -289,7 +288,7 @@ void lag_singular_row(lag_singular *s, double t, const double *x, int after_even
         find_limits(s, coefficients, t - part * length, inside ? stepper->x_before : x, length, part);
         memcpy(s->multipliers, motion->lam, m * sizeof(double));
     }
-    lag_event_iteration_solve(motion, t, x);
+    lag_motion_try(motion, t, x);
     for (size_t j = 0; j < n && length > 0.0; ++j) {
         motion->qdd[j] = lag_collocation_value(n + motion->model->nz, coefficients + j, part);
     }

@@ -69,7 +69,7 @@ void lag_differences_end(lag_differences *d)
 void lag_differences_restore(lag_differences *d)
 {
     put_back(d);
-    d->run->instants.iteration.listener.tell = NULL;
+    d->run->instants.listener.tell = NULL;
     d->run->options.results = NULL;
 }
 
@@ -107,7 +107,7 @@ static void displace_time(lag_run *run, double by, double behind)
     const double here = run->stepper.t;
     const double t = here + by + (model->ndistance > 0 ? behind + LAG_SCAN_ULPS * DBL_EPSILON * fabs(here) : 0.0);
     for (size_t i = 0; i < model->nclock; ++i) {
-        lag_clock *clock = &run->instants.clock[i];
+        lag_clock *clock = &run->instants.clocks.each[i];
         if (lag_clock_is_due(clock, here)) {
             clock->first = t - (double)clock->next * clock->period;
             clock->denominator = 0.0;
@@ -134,7 +134,7 @@ static lag_status displace(lag_differences *d, const lag_displacement *along, do
         run->motion.w[i] += by * along->w[i];
     }
     if (along->w != NULL && model->ndelay > 0) {
-        lag_delays_displace(&run->motion.delays, along->w + lag_places_of(model).delay, by);
+        lag_delays_displace(&run->motion.delays, along->w + run->motion.places.delay, by);
     }
     lag_differences_shift(d, along->u, by);
     for (size_t i = 0; i < model->ncontact && along->until != NULL; ++i) {

@@ -17,7 +17,7 @@ static lag_status along_discretes(lag_projection *projection, int rates, const d
     lag_status status = LAG_OK;
     for (int k = -LAG_POINTS; k <= LAG_POINTS && status == LAG_OK && h > 0.0; k += k == -1 ? 2 : 1) {
         lag_axpy(model->nw, k * h, dw, motion->w);
-        lag_delays_displace(&motion->delays, dw + lag_places_of(model).delay, k * h);
+        lag_delays_displace(&motion->delays, dw + motion->places.delay, k * h);
         status = lag_projection_look(projection, rates);
         lag_delays_displace(&motion->delays, NULL, 0.0);
         lag_axpy(model->nc, (k > 0 ? lag_sixth[k - 1] : -lag_sixth[-k - 1]) / h, projection->phi, projection->step.lam);

@@ -100,7 +100,7 @@ static lag_status expressions_along(lag_sensitivities *s, lag_run *run, double t
         memcpy(s->work.state, x, n * sizeof(double));
         lag_axpy(n, k * by, one, s->work.state);
         lag_axpy(model->nw, k * by, w, motion->w);
-        lag_delays_displace(&motion->delays, w + lag_places_of(model).delay, k * by);
+        lag_delays_displace(&motion->delays, w + motion->places.delay, k * by);
         lag_differences_shift(&s->differences, along.u, k * by);
         for (size_t i = 0; i < model->np && moves; ++i) {
             s->differences.p[i] = at.p[i] + k * by * along.p[i];
@@ -254,7 +254,7 @@ int lag_columns_jumps_alone(const lag_run *run, const lag_cause *cause)
         waits = waits || instants->contacts.until[i] <= t;
     }
     return model->ndelay > 0 && cause->kind == LAG_CAUSE_TIME && cause->changed == NULL && !waits && instants->timed.next > t &&
-        lag_clocks_due(model->nclock, instants->clock, t) == model->nclock;
+        lag_clocks_due(model->nclock, instants->clocks.each, t) == model->nclock;
 }
 
 /* dtau of the jumps that come back now. */

@@ -103,7 +103,7 @@ static size_t due_distance(const lag_run *run, const double *distance)
 /* dtau of the next tick of a clock, by the derivatives of scheduled_values(). */
 static double time_of_tick(const lag_run *run, const double *derivative, size_t clock)
 {
-    return derivative[clock] + (double)run->instants.clock[clock].next * derivative[run->motion.model->nclock + clock];
+    return derivative[clock] + (double)run->instants.clocks.each[clock].next * derivative[run->motion.model->nclock + clock];
 }
 
 /* dtau of what is scheduled for now. */
@@ -114,7 +114,7 @@ static lag_status find_scheduled(lag_sensitivities *s, lag_instant_map *map)
     lag_contacts *contacts = &run->instants.contacts;
     double *derivative = s->instant.behind;
     double error = 0.0;
-    size_t due = lag_clocks_due(model->nclock, run->instants.clock, run->stepper.t);
+    size_t due = lag_clocks_due(model->nclock, run->instants.clocks.each, run->stepper.t);
     const int is_clock = due < model->nclock;
     for (size_t i = 0; i < model->ncontact && !is_clock; ++i) {
         if (contacts->until[i] <= run->stepper.t) {
@@ -140,7 +140,7 @@ static lag_status find_scheduled(lag_sensitivities *s, lag_instant_map *map)
         s->fault.guard = k;
         s->instant.time[k] = is_clock ? time_of_tick(run, derivative, due) : -derivative[2 * model->nclock + due] / rate;
         for (size_t i = due + 1; i < model->nclock && is_clock && status == LAG_OK; ++i) {
-            if (lag_clock_is_due(&run->instants.clock[i], map->t) && move_apart(s->instant.time[k], time_of_tick(run, derivative, i))) {
+            if (lag_clock_is_due(&run->instants.clocks.each[i], map->t) && move_apart(s->instant.time[k], time_of_tick(run, derivative, i))) {
                 note_one_sided(s, map->t);
             }
         }

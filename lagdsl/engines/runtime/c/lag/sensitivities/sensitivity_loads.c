@@ -38,7 +38,8 @@ void lag_loads_along_place(lag_loads_along *a, const lag_model *model, double *m
     a->slope = lag_take(&memory, model->nload * model->nload);
     a->pivot = lag_take(&memory, model->nload);
     a->change = lag_take(&memory, model->nload);
-    lag_loads_place(&a->loads, model, lag_take(&memory, lag_loads_memory(model)));
+    lag_layout layout = {lag_take(&memory, lag_loads_memory(model)), 0};
+    lag_loads_place(&a->loads, model, &layout);
     a->system_memory = memory;
 }
 

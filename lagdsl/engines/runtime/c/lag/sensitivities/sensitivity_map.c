@@ -19,7 +19,7 @@ static lag_status add_notice(void *context, const lag_event_notice *notice)
 lag_status lag_instant_map_carry(const lag_instant_map *map, uint64_t *events)
 {
     *events = 0;
-    map->run->instants.iteration.listener = (lag_listener){add_notice, events};
+    map->run->instants.listener = (lag_listener){add_notice, events};
     return lag_run_carry(map->run, map->cause);
 }
 

@@ -39,7 +39,7 @@ static lag_status add_discretes(lag_sensitivities *s, lag_run *run, size_t lanes
     lag_fill(height, 0.0, sum);
     for (int k = -LAG_POINTS; k <= LAG_POINTS && status == LAG_OK; k += k == -1 ? 2 : 1) {
         lag_axpy(model->nw, k * h, w, motion->w);
-        lag_delays_displace(&motion->delays, w + lag_places_of(model).delay, k * h);
+        lag_delays_displace(&motion->delays, w + motion->places.delay, k * h);
         status = evaluate(run, t, x, y != NULL, s->differences.value[0][0]);
         lag_delays_displace(&motion->delays, NULL, 0.0);
         lag_axpy(height, (k > 0 ? lag_sixth[k - 1] : -lag_sixth[-k - 1]) / h, s->differences.value[0][0], sum);

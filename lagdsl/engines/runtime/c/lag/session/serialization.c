@@ -96,9 +96,9 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->contacts.blows.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
-    RECORD(instants->iteration.instant.moment);
-    RECORD(instants->iteration.clauses.stopped);
-    RECORD(instants->iteration.clauses.fault);
+    RECORD(instants->instant.moment);
+    RECORD(instants->clauses.stopped);
+    RECORD(instants->clauses.fault);
     record_crowd(&instants->crowd, record);
     record_crowd(&instants->resets, record);
 }
@@ -129,7 +129,6 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.looks);
     RECORD(run->methods.stiffness.lost);
     RECORD(run->guards.corners.reach);
-    RECORD(run->guards.pieces.span);
     RECORD(run->guards.pieces.reach);
     RECORD(run->guards.pieces.limit);
     RECORD(run->sizes.found);

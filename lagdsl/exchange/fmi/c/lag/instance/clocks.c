@@ -8,7 +8,7 @@ static lag_status seek(lag_instance *instance, size_t which, double t, double *p
 {
     const lag_status status = lag_instance_ready(instance);
     if (status == LAG_OK) {
-        lag_clock clock = instance->run->instants.clock[which];
+        lag_clock clock = instance->run->instants.clocks.each[which];
         lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
         *period = clock.period;
         *instant = lag_clock_instant(&clock, clock.next);

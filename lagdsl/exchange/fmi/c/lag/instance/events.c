@@ -50,7 +50,7 @@ size_t lag_instance_indicator_count(const lag_fmu *fmu)
 static int is_false(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
-    return i < instance->fmu->model->nindicator && run->motion.w[run->guards.places.relation + i] == 0.0;
+    return i < instance->fmu->model->nindicator && run->motion.w[run->motion.places.relation + i] == 0.0;
 }
 
 /* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
@@ -243,13 +243,13 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
     any = lag_any(count, run->half.pending);
     if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
-        status = lag_event_iteration_conditions(&run->instants.iteration, t, instance->x, &any);
+        status = lag_instants_conditions(&run->instants, t, instance->x, &any);
     }
     if (status == LAG_OK && any) {
         run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
-        run->instants.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
+        run->instants.instant.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
         status = lag_run_instant(run, &(lag_cause){lag_run_due(run, t) ? LAG_CAUSE_TIME : LAG_CAUSE_GUARDS, h, run->half.pending});
-        run->instants.contacts.flight = run->instants.late = 0.0;
+        run->instants.contacts.flight = run->instants.instant.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;
     return lag_instance_judge(instance, leave(instance, status));

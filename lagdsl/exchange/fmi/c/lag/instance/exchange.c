@@ -93,7 +93,6 @@ lag_status lag_instance_completed(lag_instance *instance, int *events)
     lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RESIDUALS);
     *events = fmax(instance->values.residual[0], instance->values.slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
     if (status == LAG_OK) {
-        lag_noise_follow(&instance->run->instants.noise, instance->x);
         lag_contacts_follow(&instance->run->instants.contacts, instance->x);
         status = lag_instance_assert(instance, t, instance->x);
         status = status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;

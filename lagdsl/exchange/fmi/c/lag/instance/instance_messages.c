@@ -37,7 +37,7 @@ static const char *displacing(const lag_instance *instance)
     const lag_run *run = instance->run;
     for (size_t i = 0; i < model->nreset; ++i) {
         const size_t place = model->reset_places[i];
-        if (place >= 2 * model->nq && run->stepper.x[place] != run->instants.iteration.instant.from[place]) {
+        if (place >= 2 * model->nq && run->stepper.x[place] != run->instants.instant.from[place]) {
             return model->resets[i];
         }
     }
@@ -91,8 +91,8 @@ static const char *name_of(const lag_instance *instance, blamed who, char *room)
 {
     const lag_model *model = instance->fmu->model;
     const lag_run *run = instance->run;
-    const size_t clause = run->instants.iteration.clauses.fault;
-    const size_t discrete = lag_first(model->nw, run->instants.iteration.discretes.guilty);
+    const size_t clause = run->instants.clauses.fault;
+    const size_t discrete = lag_first(model->nw, run->instants.discretes.guilty);
     const char *displaced = who == DISPLACING ? displacing(instance) : NULL;
     size_t i = 0;
     switch (who) {
