@@ -314,27 +314,17 @@ static double stand_in_slope(const lag_instance *instance, size_t unknown, size_
     return unknown == known ? 1.0 : 0.0;
 }
 
-lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
-    for (size_t i = 0; i < unknowns; ++i) {
+    for (size_t i = 0; i < (adjoint ? knowns : unknowns); ++i) {
         sensitivity[i] = 0.0;
+    }
+    for (size_t i = 0; i < unknowns; ++i) {
         for (size_t k = 0; k < knowns; ++k) {
             const int same = unknown[i].variable != known[k].variable || unknown[i].element == known[k].element;
-            sensitivity[i] += same ? stand_in_slope(instance, unknown[i].variable, known[k].variable) * seed[k] : 0.0;
-        }
-    }
-    return LAG_OK;
-}
-
-lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
-    size_t knowns, const double *seed, double *sensitivity)
-{
-    for (size_t k = 0; k < knowns; ++k) {
-        sensitivity[k] = 0.0;
-        for (size_t i = 0; i < unknowns; ++i) {
-            const int same = unknown[i].variable != known[k].variable || unknown[i].element == known[k].element;
-            sensitivity[k] += same ? stand_in_slope(instance, unknown[i].variable, known[k].variable) * seed[i] : 0.0;
+            const double slope = same ? stand_in_slope(instance, unknown[i].variable, known[k].variable) : 0.0;
+            sensitivity[adjoint ? k : i] += slope * seed[adjoint ? i : k];
         }
     }
     return LAG_OK;

@@ -70,8 +70,6 @@
 #include "lag/instance/lazy_evaluation.c"
 #undef find
 
-#include "lag/instance/output_rates.c"
-
 #include "lag/instance/variables.c"
 
 #define acceptable access_acceptable

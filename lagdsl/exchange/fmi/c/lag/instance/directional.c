@@ -1,10 +1,12 @@
 /*
  * Derivatives of variables, exact: a direction of the knowns, and how everything changes along it. Relations and contacts are held. Adjoint
- * ones are the same, known by known. Only where constraints decide about the start it takes differences (instance_start.c).
+ * ones are the same, known by known; those in time are along the motion. Only where constraints decide about the start it takes differences
+ * (instance_start.c).
  */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "lag/linalg/arena.h"
 
@@ -14,7 +16,7 @@ typedef struct changes {
     unsigned known; /* one bit for each role */
 } changes;
 
-size_t lag_instance_slopes(const lag_model *model)
+size_t lag_instance_slopes_memory(const lag_model *model)
 {
     const size_t after = lag_motion_size(model) + model->ny + model->nd + 3;
     return lag_larger(after, lag_instance_start_slopes_memory(model));
@@ -169,26 +171,41 @@ static lag_status follow(lag_instance *instance, int pulled, const lag_known *un
     return status;
 }
 
-lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
-    size_t knowns, const double *seed, double *sensitivity)
-{
-    lag_status status = LAG_OK;
-    for (int pulled = 0; pulled < 2 && status == LAG_OK; ++pulled) {
-        status = follow(instance, pulled, unknown, unknowns, known, knowns, seed, NULL, sensitivity);
-    }
-    return status;
-}
-
-lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
     static const double one = 1.0;
     lag_status status = LAG_OK;
-    lag_fill(knowns, 0.0, sensitivity);
+    lag_fill(adjoint ? knowns : unknowns, 0.0, sensitivity);
     for (int pulled = 0; pulled < 2; ++pulled) {
-        for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
+        for (size_t k = 0; k < knowns && adjoint && status == LAG_OK; ++k) {
             status = follow(instance, pulled, unknown, unknowns, &known[k], 1, &one, seed, &sensitivity[k]);
         }
+        if (!adjoint && status == LAG_OK) {
+            status = follow(instance, pulled, unknown, unknowns, known, knowns, seed, NULL, sensitivity);
+        }
+    }
+    return status;
+}
+
+lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_derivatives *d = &instance->derivatives;
+    const size_t size = lag_motion_size(model);
+    changes to = lay_out(instance);
+    if (order != 1) {
+        return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
+    }
+    lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
+    status = status == LAG_OK ? lag_instance_evaluate(instance, LAG_KNOWN_DERIVATIVES) : status;
+    memcpy(d->x, instance->values.xd, size * sizeof(double));
+    lag_instance_inputs_at(instance, 1, instance->held.t, d->x + size);
+    lag_fill(model->np, 0.0, d->x + size + model->nu);
+    d->time = 1.0;
+    status = status == LAG_OK ? lag_instance_judge(instance, lag_derivatives_along(d)) : status;
+    for (size_t i = 0; i < instance->fmu->variables[variable].count && status == LAG_OK; ++i) {
+        status = change(instance, &to, &(lag_known){variable, i}, &values[i]);
     }
     return status;
 }

@@ -26,6 +26,8 @@ static const double TOGETHER = 4.0;
 static const double WIDER = 4.0;
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
+/* A short time before the first step, as a part of the experiment. */
+static const double SHORT_TIME = 1e-6;
 /* Importers find events so late at most, as a part of the experiment. */
 static const double LATE = 1e-9;
 
@@ -229,7 +231,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
     const double t = located ? held->t : present(instance);
-    const double h = located ? run->half.length : LAG_SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
+    const double h = located ? run->half.length : SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guard_count(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;

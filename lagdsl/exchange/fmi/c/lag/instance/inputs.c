@@ -36,10 +36,10 @@ static double derivative_at(const lag_instance *instance, size_t i, size_t order
     return c[order * nu] + sum;
 }
 
-void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
+void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u)
 {
     for (size_t i = 0; i < instance->fmu->model->nu; ++i) {
-        u[i] = derivative_at(instance, i, 0, t - instance->held.about);
+        u[i] = derivative_at(instance, i, order, t - instance->held.about);
     }
 }
 
@@ -47,7 +47,7 @@ void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
 static void inputs_of(void *context, double t, int before, double *u)
 {
     (void)before; /* a jump is an event */
-    lag_instance_inputs_at(context, t, u);
+    lag_instance_inputs_at(context, 0, t, u);
 }
 
 void lag_instance_set_run_inputs(lag_instance *instance)
@@ -57,7 +57,7 @@ void lag_instance_set_run_inputs(lag_instance *instance)
     instance->held.polynomial = nu > 0 && lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu);
     motion->inputs = instance->held.polynomial ? inputs_of : NULL;
     motion->context = instance;
-    lag_instance_inputs_at(instance, instance->held.t, motion->u);
+    lag_instance_inputs_at(instance, 0, instance->held.t, motion->u);
 }
 
 void lag_instance_inputs_about(lag_instance *instance, double t)
@@ -124,7 +124,7 @@ lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t vari
 void lag_instance_leave_inputs(lag_instance *instance)
 {
     if (instance->fmu->inputs.rates != NULL) {
-        lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
+        lag_instance_inputs_at(instance, 0, instance->held.t, instance->inputs.left);
         instance->held.left_for = instance->held.exchanged ? 0.0 : instance->held.t - instance->held.left_at;
         instance->held.left_at = instance->held.t;
     }
@@ -136,7 +136,7 @@ static int read_inputs(lag_instance *instance)
     const double t = instance->held.t;
     const int known = t == instance->held.left_at && t > instance->run->counts.begun;
     if (known) {
-        lag_instance_inputs_at(instance, t, instance->run->motion.u);
+        lag_instance_inputs_at(instance, 0, t, instance->run->motion.u);
     }
     return known;
 }
@@ -197,6 +197,6 @@ lag_status lag_instance_balance_inputs(lag_instance *instance)
         blow = blow || jumps(instance, i);
     }
     const lag_status status = lag_instants_prescribe(&run->instants, instance->held.t, run->stepper.x, instance->inputs.left, blow);
-    lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
+    lag_instance_inputs_at(instance, 0, instance->held.t, instance->inputs.left);
     return status;
 }

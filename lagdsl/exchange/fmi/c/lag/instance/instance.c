@@ -58,7 +58,7 @@ static void lay_out(lag_instance *instance, room *of)
     instance->scratch.point = take(of, size);
     instance->scratch.tangent = take(of, size);
     instance->scratch.fixed = take(of, lag_fixed_memory(size));
-    instance->scratch.slopes = take(of, lag_instance_slopes(model));
+    instance->scratch.slopes = take(of, lag_instance_slopes_memory(model));
     instance->invariant_limits = take(of, model->ni);
     instance->warnings = take(of, model->na + model->nfail);
 }

@@ -52,7 +52,6 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
 /* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2). */
 lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values);
-lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values);
 
 /* ---- initialization ---- */
 
@@ -108,13 +107,13 @@ lag_status lag_instance_tick(lag_instance *instance, size_t which);
 /* ---- derivatives ---- */
 
 /*
- * sensitivity = d unknown / d known * seed, exact, of the functions above as they stand (relations and contacts held). Unknowns: outputs,
- * derivatives, locals, multipliers, indicators; knowns: states, inputs, tunable parameters; in initialization whatever depends.
+ * sensitivity = d unknown / d known * seed, or the adjoint seed' * d unknown / d known, exact, of the functions above as they stand (relations and
+ * contacts held). Unknowns: outputs, derivatives, locals, multipliers, energies; knowns: states, inputs, tunable parameters, time; in initialization
+ * whatever depends. The other one is that of a variable in time, along the motion, of order 1.
  */
-lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity);
-lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
-    size_t knowns, const double *seed, double *sensitivity);
+lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values);
 
 /* ---- state ---- */
 

@@ -13,15 +13,6 @@
 enum { LAG_INPUT_ORDER = 3 };
 enum { LAG_MESSAGE = 512 };
 
-/* Central differences at two distances, extrapolated: so many points, parts of a distance, and weights. */
-enum { LAG_POINTS = 4 };
-static const double LAG_POINT[LAG_POINTS] = {1.0, -1.0, 0.5, -0.5};
-static const double LAG_WEIGHT[LAG_POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
-
-/* The larger distance, as a part of what a value changes over by itself; and a short time, as a part of an experiment, before the first step. */
-static const double LAG_DISTANCE = 1e-3;
-static const double LAG_SHORT_TIME = 1e-6;
-
 typedef enum lag_phase {
     LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
     LAG_PHASE_MOTION
@@ -98,7 +89,7 @@ typedef struct lag_values {
 typedef struct lag_instance_scratch {
     double *point, *tangent; /* (2 nq + nz) */
     double *fixed;           /* lag_fixed_memory() */
-    double *slopes;          /* lag_instance_slopes() */
+    double *slopes;          /* lag_instance_slopes_memory() */
 } lag_instance_scratch;
 
 struct lag_instance {
@@ -184,12 +175,12 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
 /* ---- directional.c ---- */
 
 /* Doubles of `slopes`. */
-size_t lag_instance_slopes(const lag_model *model);
+size_t lag_instance_slopes_memory(const lag_model *model);
 
 /* ---- inputs.c ---- */
 
-/* The inputs at time t, into u. */
-void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
+/* The inputs at time t, or their derivatives of this order, into u. */
+void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u);
 /* The course of the inputs about t, so that their values can be set there. */
 void lag_instance_inputs_about(lag_instance *instance, double t);
 /* Derivative number `order` of so many inputs at the present; 0: their values. */

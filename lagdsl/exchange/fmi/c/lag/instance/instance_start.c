@@ -8,7 +8,12 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* Smaller values than this have this size in differences. */
+/* Central differences at two distances, extrapolated: so many points, parts of a distance, and weights. */
+enum { POINTS = 4 };
+static const double POINT[POINTS] = {1.0, -1.0, 0.5, -0.5};
+static const double WEIGHT[POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
+/* The larger distance, as a part of a value; smaller values than this have this size. */
+static const double DISTANCE = 1e-3;
 static const double SMALLEST = 1e-2;
 
 int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable)
@@ -194,15 +199,15 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     double most = fmax(most_of(1, &instance->derivatives.time, &instance->held.t, 1.0), most_of(size, direction, instance->x, SMALLEST));
     most = fmax(most, most_of(model->nu, of_inputs, instance->inputs.course, SMALLEST));
     most = fmax(most, most_of(model->np, of_parameters, instance->p, SMALLEST));
-    const double h = LAG_DISTANCE / most;
+    const double h = DISTANCE / most;
     lag_status status = LAG_OK;
-    for (size_t k = 0; k < LAG_POINTS && most > 0.0 && status == LAG_OK; ++k) {
+    for (size_t k = 0; k < POINTS && most > 0.0 && status == LAG_OK; ++k) {
         lag_initial told = {.p = p};
         memcpy(p, instance->p, model->np * sizeof(double));
-        lag_axpy(model->np, LAG_POINT[k] * h, of_parameters, p);
-        status = find_start(instance, LAG_POINT[k] * h, x, &told);
-        lag_axpy(size, LAG_WEIGHT[k] / h, x, slope);
-        lag_axpy(model->np, LAG_WEIGHT[k] / h, p, slope + size);
+        lag_axpy(model->np, POINT[k] * h, of_parameters, p);
+        status = find_start(instance, POINT[k] * h, x, &told);
+        lag_axpy(size, WEIGHT[k] / h, x, slope);
+        lag_axpy(model->np, WEIGHT[k] / h, p, slope + size);
     }
     memcpy(motion->w, w, model->nw * sizeof(double));
     memcpy(direction, slope, size * sizeof(double));

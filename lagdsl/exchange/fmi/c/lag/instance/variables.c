@@ -53,7 +53,7 @@ lag_status lag_instance_look(lag_instance *instance, const lag_variable *variabl
     const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
     const lag_status status = what != 0 ? lag_instance_evaluate(instance, what) : follows ? lag_instance_ready(instance) : LAG_OK;
     if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->held.polynomial) {
-        lag_instance_inputs_at(instance, instance->held.t, instance->run->motion.u);
+        lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
     }
     return status;
 }
