@@ -150,7 +150,6 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
 {
     lag_held *held = &instance->held;
     lag_status status = lag_instance_begin(instance);
-    status = status == LAG_OK ? lag_instance_ready(instance) : status;
     /* times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost */
     const double end = lag_instants_same(&instance->run->instants, held->t + h);
     const double far = farthest(instance, end, held->jumped);

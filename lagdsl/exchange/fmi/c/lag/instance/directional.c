@@ -46,7 +46,7 @@ static changes lay_out(lag_instance *instance)
 static int is_known(const lag_instance *instance, lag_role role)
 {
     return role == LAG_ROLE_TIME || role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_PARAMETER ||
-           (role == LAG_ROLE_DEPENDENT && instance->held.phase == LAG_PHASE_START);
+           (role == LAG_ROLE_DEPENDENT && !instance->held.moving);
 }
 
 /* Until initialization ends, states and inputs that were not set follow the parameters, as far as constraints let them. */
@@ -127,7 +127,7 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
 {
     const lag_model *model = instance->fmu->model;
     lag_derivatives *d = &instance->derivatives;
-    lag_status status = lag_instance_evaluate(instance, pulled ? LAG_KNOWN_PULLED : LAG_KNOWN_DERIVATIVES);
+    lag_status status = lag_instance_evaluate(instance, pulled ? LAG_PULLED : LAG_DERIVATIVES);
     lag_fill(lag_motion_size(model) + model->nu + model->np, 0.0, d->x);
     d->time = 0.0;
     for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
@@ -140,7 +140,7 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
     if (status != LAG_OK) {
         return status;
     }
-    if (instance->held.phase == LAG_PHASE_MOTION) {
+    if (instance->held.moving) {
         lag_instance_follow_states(instance->fmu, NULL, d->x);
     } else {
         status = follow_parameters(instance);
@@ -197,8 +197,8 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
     if (order != 1) {
         return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
     }
-    lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
-    status = status == LAG_OK ? lag_instance_evaluate(instance, LAG_KNOWN_DERIVATIVES) : status;
+    lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
+    status = status == LAG_OK ? lag_instance_evaluate(instance, LAG_DERIVATIVES) : status;
     memcpy(d->x, instance->values.xd, size * sizeof(double));
     lag_instance_inputs_at(instance, 1, instance->held.t, d->x + size);
     lag_fill(model->np, 0.0, d->x + size + model->nu);

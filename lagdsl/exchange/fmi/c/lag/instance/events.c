@@ -114,7 +114,7 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
 {
-    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_INDICATORS);
+    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_INDICATOR);
     memcpy(g, instance->values.g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
     return status;
 }
@@ -263,7 +263,6 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
     const size_t count = lag_instance_order(instance);
     lag_status status = lag_instance_begin(instance);
     memcpy(before, instance->x, count * sizeof(double));
-    status = status == LAG_OK ? lag_instance_ready(instance) : status;
     status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
     status = status == LAG_OK ? lag_instance_carry_out(instance) : status;
     *told = (lag_update){.next = next_instant(instance), .terminate = instance->held.stopped};
@@ -274,7 +273,7 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 lag_status lag_instance_terminate(lag_instance *instance)
 {
     lag_run *run = instance->run;
-    if (instance->held.phase == LAG_PHASE_START || instance->held.stopped) {
+    if (!instance->held.moving || instance->held.stopped) {
         return LAG_OK;
     }
     lag_status status = lag_instance_ready(instance);

@@ -81,7 +81,7 @@ void lag_instance_states(const lag_instance *instance, double *x)
 
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
-    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
+    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
     gather(instance->fmu, instance->values.xd, xd);
     return status;
 }
@@ -90,7 +90,7 @@ lag_status lag_instance_completed(lag_instance *instance, int *events)
 {
     const double tolerance = instance->held.tolerance;
     const double t = instance->held.t;
-    lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RESIDUALS);
+    lag_status status = lag_instance_evaluate(instance, LAG_ROLE_RESIDUAL);
     *events = fmax(instance->values.residual[0], instance->values.slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
     if (status == LAG_OK) {
         lag_noise_follow(&instance->run->instants.noise, instance->x);

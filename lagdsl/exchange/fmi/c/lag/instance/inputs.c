@@ -141,31 +141,21 @@ static int read_inputs(lag_instance *instance)
     return known;
 }
 
-/* The input that is the derivative of input i; nu without. */
-static size_t rate_of(const lag_instance *instance, size_t i)
-{
-    return i < instance->fmu->model->nu ? instance->fmu->inputs.rates[i] : i;
-}
-
-/* The change of input i, and its larger magnitude on both sides. */
-static double change_of(const lag_instance *instance, size_t i)
-{
-    return i < instance->fmu->model->nu ? fabs(instance->run->motion.u[i] - instance->inputs.left[i]) : 0.0;
-}
-
-static double size_of(const lag_instance *instance, size_t i)
-{
-    return i < instance->fmu->model->nu ? fmax(fabs(instance->run->motion.u[i]), fabs(instance->inputs.left[i])) : 0.0;
-}
-
 /* True if input i has a derivative among the inputs, and changes by more than that tells. */
 static int jumps(const lag_instance *instance, size_t i)
 {
+    const size_t nu = instance->fmu->model->nu;
+    const double *u = instance->run->motion.u;
+    const double *left = instance->inputs.left;
     const double h = instance->held.left_for;
-    const size_t rate = rate_of(instance, i);
-    const double bend = OF_RATES * h * change_of(instance, rate) + OF_ACCELERATIONS * h * h * size_of(instance, rate_of(instance, rate));
-    const double nothing = fmax(instance->held.tolerance, NOTHING) * size_of(instance, i);
-    return rate < instance->fmu->model->nu && change_of(instance, i) > nothing + bend;
+    const size_t rate = instance->fmu->inputs.rates[i];
+    if (rate == nu) {
+        return 0;
+    }
+    const size_t second = instance->fmu->inputs.rates[rate];
+    const double acceleration = second < nu ? fmax(fabs(u[second]), fabs(left[second])) : 0.0;
+    const double bend = OF_RATES * h * fabs(u[rate] - left[rate]) + OF_ACCELERATIONS * h * h * acceleration;
+    return fabs(u[i] - left[i]) > bend + fmax(instance->held.tolerance, NOTHING) * fmax(fabs(u[i]), fabs(left[i]));
 }
 
 lag_status lag_instance_follow_inputs(lag_instance *instance)
@@ -175,7 +165,7 @@ lag_status lag_instance_follow_inputs(lag_instance *instance)
     const size_t count = follows != NULL && read_inputs(instance) ? instance->fmu->model->nu : 0;
     for (size_t i = 0; i < count; ++i) {
         if (follows[i] && jumps(instance, i)) {
-            const size_t rate = rate_of(instance, i);
+            const size_t rate = instance->fmu->inputs.rates[i];
             return lag_instance_fail(instance, LAG_POSITION_JUMP,
                 "t = %.10g s: the input %s moves by more than its derivatives say (%s is %.6g): set it and its derivatives from one smooth path, at "
                 "more points if it is fast; let %s jump to make a blow",

@@ -13,26 +13,15 @@
 enum { LAG_INPUT_ORDER = 3 };
 enum { LAG_MESSAGE = 512 };
 
-typedef enum lag_phase {
-    LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
-    LAG_PHASE_MOTION
-} lag_phase;
-
 enum { LAG_ROLES = LAG_ROLE_CLOCK + 1 };
 
-/* Values that follow from the present state: one bit for each role, where they are known. */
+/*
+ * Values that follow from the present state are known by role: with multipliers go the accelerations of the model, in run->motion; those among
+ * derivatives are pulled towards the constraints. Two more are not values of variables:
+ */
 enum {
-    LAG_KNOWN_MOTION = 1 << LAG_ROLE_MULTIPLIER, /* multipliers and accelerations of the model, in run->motion */
-    LAG_KNOWN_RATES = 1 << LAG_ROLE_DERIVATIVE,  /* those of rates are pulled towards the constraints */
-    LAG_KNOWN_OUTPUTS = 1 << LAG_ROLE_OUTPUT,
-    LAG_KNOWN_LOCALS = 1 << LAG_ROLE_LOCAL,
-    LAG_KNOWN_INDICATORS = 1 << LAG_ROLE_INDICATOR,
-    LAG_KNOWN_ENERGIES = 1 << LAG_ROLE_ENERGY,
-    LAG_KNOWN_RESIDUALS = 1 << LAG_ROLE_RESIDUAL,
-    LAG_FOLLOWING = LAG_KNOWN_MOTION | LAG_KNOWN_RATES | LAG_KNOWN_OUTPUTS | LAG_KNOWN_LOCALS | LAG_KNOWN_INDICATORS |
-                    LAG_KNOWN_ENERGIES | LAG_KNOWN_RESIDUALS,
-    LAG_KNOWN_DERIVATIVES = 1 << LAG_ROLES,      /* what derivatives need, in `derivatives`, */
-    LAG_KNOWN_PULLED = 2 << LAG_ROLES            /* or what those of pulled accelerations do */
+    LAG_DERIVATIVES = LAG_ROLES, /* what directional derivatives need, in `derivatives`, */
+    LAG_PULLED                   /* or what those of pulled accelerations do */
 };
 
 typedef struct lag_held {
@@ -46,7 +35,7 @@ typedef struct lag_held {
     int exchanged;          /* the importer sets the time: inputs are those of trial states until a step is accepted */
     double step;            /* LAG_OPTION_STEP */
     int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
-    lag_phase phase;
+    int moving;             /* initialization has ended: states follow starts and parameters no longer */
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
     int jumped;             /* something was set since the motion went on: rates are others */
@@ -77,7 +66,7 @@ typedef struct lag_dead_bands {
 
 /* Values of variables; those that follow from the present state as far as they are known. */
 typedef struct lag_values {
-    unsigned known;
+    unsigned known; /* one bit for each role */
     const double *of[LAG_ROLES]; /* arrays of all roles but clocks */
     double *xd, *y, *local, *g;  /* (2 nq + nz) (ny) (nd) (indicators) */
     double *unasked;            /* (nc) multipliers of accelerations that are pulled */
@@ -160,9 +149,9 @@ size_t lag_instance_start_slopes_memory(const lag_model *model);
 
 /* ---- lazy_evaluation.c ---- */
 
-/* Lets this be known, one of the bits above. */
-lag_status lag_instance_evaluate(lag_instance *instance, unsigned what);
-/* LAG_VIOLATED: an assertion does not hold at x at time t. */
+/* Lets the values of a role be known, or what derivatives need. */
+lag_status lag_instance_evaluate(lag_instance *instance, unsigned role);
+/* LAG_VIOLATED: an assertion does not hold at x at time t. Invariants begin anew: steps of importers, and of fixed length, have errors of their own. */
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
 
 /* ---- variables.c ---- */

@@ -86,30 +86,28 @@ static const struct {
     [LAG_LONG_PAST] = {NOBODY, "the past of a delayed value has too many events"},
 };
 
-/* `room` (LAG_MESSAGE) is for a list of names. Discretes are those that an event could not settle, assertions those that the run looked at last. */
-static const char *name_of(const lag_instance *instance, blamed who, char *room)
+/* `room` (LAG_MESSAGE) is for a list of names. Discretes are those that an event could not settle. */
+static const char *name_of(const lag_instance *instance, lag_status status, char *room)
 {
     const lag_model *model = instance->fmu->model;
-    const lag_run *run = instance->run;
-    const size_t clause = run->instants.iteration.clauses.fault;
-    const size_t discrete = lag_first(model->nw, run->instants.iteration.discretes.guilty);
-    const char *displaced = who == DISPLACING ? displacing(instance) : NULL;
-    size_t i = 0;
-    switch (who) {
+    const size_t discrete = lag_first(model->nw, instance->run->instants.iteration.discretes.guilty);
+    const char *displaced = FAULTS[status].who == DISPLACING ? displacing(instance) : NULL;
+    lag_fault fault = {.which = 0};
+    if (FAULTS[status].who != NOBODY) {
+        lag_run_explain(instance->run, status, &fault);
+    }
+    switch (FAULTS[status].who) {
     case COORDINATE:
-        return run->motion.coordinate < model->nq ? model->coordinates[run->motion.coordinate].name : "the model";
+        return fault.which < model->nq ? model->coordinates[fault.which].name : "the model";
     case DISPLACING:
     case DISCRETE:
         return displaced != NULL ? displaced : discrete < model->nw ? model->discretes[discrete].name : "the model";
     case RESET:
-        return clause < model->nreset ? model->resets[clause] : "a state";
+        return model->resets[fault.which];
     case FAILURE:
-        return clause < model->nfail ? model->failures[clause] : "an assertion failed";
+        return model->failures[fault.which];
     case ASSERTION:
-        while (i < model->na && run->conditions.held[i] != 0.0) {
-            ++i;
-        }
-        return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
+        return fault.which < model->na ? model->assertions[fault.which] : "an invariant left its tolerance";
     case FRICTIONS:
         return frictions(model, room);
     case NOBODY:
@@ -136,7 +134,7 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     if (status == LAG_OK || status == LAG_STOPPED) {
         return status;
     }
-    (void)snprintf(told, sizeof told, FAULTS[status].words, name_of(instance, FAULTS[status].who, room));
+    (void)snprintf(told, sizeof told, FAULTS[status].words, name_of(instance, status, room));
     return lag_instance_fail(instance, status, "t = %.10g s: %s", instance->held.t, told);
 }
 

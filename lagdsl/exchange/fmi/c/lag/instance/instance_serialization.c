@@ -3,28 +3,19 @@
 
 #include "lag/serialization.h"
 
-/* Settings of the experiment, which are no part of the state of a run. */
-typedef struct lag_instance_terms {
-    double tolerance, length;
-} lag_instance_terms;
-
-/* All but the run; `instance` is changed only where the record is read from. */
+/* All but the state of the run, with its settings; `instance` is changed only where the record is read from. */
 static void walk(lag_instance *instance, lag_record *record)
 {
     lag_run_options *options = &instance->run->options;
-    lag_instance_terms terms = {options->tolerance, options->length};
     lag_record_bytes(record, &instance->held, sizeof instance->held);
     lag_record_doubles(record, instance->kept_count, instance->kept);
-    lag_record_bytes(record, &terms, sizeof terms);
-    if (record->saved != NULL) {
-        options->tolerance = terms.tolerance;
-        options->length = terms.length;
-    }
+    lag_record_doubles(record, 1, &options->tolerance);
+    lag_record_doubles(record, 1, &options->length);
 }
 
 static size_t own_bytes(const lag_instance *instance)
 {
-    return sizeof(lag_held) + instance->kept_count * sizeof(double) + sizeof(lag_instance_terms);
+    return sizeof(lag_held) + (instance->kept_count + 2) * sizeof(double);
 }
 
 size_t lag_instance_saved_size(const lag_instance *instance)

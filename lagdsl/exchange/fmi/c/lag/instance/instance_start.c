@@ -154,8 +154,8 @@ lag_status lag_instance_begin_at(lag_instance *instance)
 
 lag_status lag_instance_begin(lag_instance *instance)
 {
-    const lag_status status = instance->held.phase == LAG_PHASE_START ? lag_instance_ready(instance) : LAG_OK;
-    instance->held.phase = status == LAG_OK ? LAG_PHASE_MOTION : LAG_PHASE_START;
+    const lag_status status = lag_instance_ready(instance);
+    instance->held.moving = instance->held.moving || status == LAG_OK;
     return status;
 }
 
@@ -215,7 +215,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
         of_parameters[i] = free[i] ? slope[size + i] : of_parameters[i];
     }
     lag_instance_set_run_inputs(instance);
-    instance->values.known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
+    instance->values.known &= ~((1U << LAG_ROLES) - 1); /* derivatives stay */
     const lag_status restored = lag_motion_parameters(motion, instance->p);
     return status == LAG_OK ? restored : status;
 }

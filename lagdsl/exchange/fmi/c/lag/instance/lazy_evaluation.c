@@ -10,7 +10,7 @@
 lag_status lag_instance_ready(lag_instance *instance)
 {
     lag_held *held = &instance->held;
-    if (held->phase == LAG_PHASE_START && !held->initialized) {
+    if (!held->moving && !held->initialized) {
         return lag_instance_begin_at(instance);
     }
     if (!held->prepared) {
@@ -28,7 +28,7 @@ static lag_status accelerations(lag_instance *instance)
     if (instance->fmu->model->nc == 0) {
         return lag_motion_solve(motion, held->t, instance->x);
     }
-    if (held->phase == LAG_PHASE_MOTION && !held->exchanged && lag_run_crosses(instance->fmu->model, &instance->run->options)) {
+    if (held->moving && !held->exchanged && lag_run_crosses(instance->fmu->model, &instance->run->options)) {
         lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->counts.entered);
         return LAG_OK;
     }
@@ -86,68 +86,58 @@ static lag_status outputs(lag_instance *instance)
     return status;
 }
 
-/* One of what can be known; what it needs is. */
-static lag_status find(lag_instance *instance, unsigned what)
+/* The values of one role; what they need is known. */
+static lag_status find(lag_instance *instance, unsigned role)
 {
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
     double *energy = instance->values.energy;
-    switch (what) {
-    case LAG_KNOWN_MOTION:
+    switch (role) {
+    case LAG_ROLE_MULTIPLIER:
         return accelerations(instance);
-    case LAG_KNOWN_RATES:
+    case LAG_ROLE_DERIVATIVE:
         return rates(instance);
-    case LAG_KNOWN_OUTPUTS:
+    case LAG_ROLE_OUTPUT:
         return outputs(instance);
-    case LAG_KNOWN_LOCALS:
+    case LAG_ROLE_LOCAL:
         return model->nd > 0 ? model->definition(&motion->at, instance->values.local) : LAG_OK;
-    case LAG_KNOWN_ENERGIES:
+    case LAG_ROLE_ENERGY:
         return model->energies(&motion->at, &energy[0], &energy[1], &energy[2], &energy[3]);
-    case LAG_KNOWN_RESIDUALS:
+    case LAG_ROLE_RESIDUAL:
         return residuals(instance);
-    case LAG_KNOWN_INDICATORS:
+    case LAG_ROLE_INDICATOR:
         return lag_instance_find_indicators(instance);
     default:
-        return lag_derivatives_look(&instance->derivatives, &motion->at, what == LAG_KNOWN_PULLED ? lag_instance_rate(instance) : 0.0, &motion->coordinate);
+        return lag_derivatives_look(&instance->derivatives, &motion->at, role == LAG_PULLED ? lag_instance_rate(instance) : 0.0, &motion->coordinate);
     }
 }
 
-/* `what` is known from now on. Indicators have accelerations of their own, and only one kind of derivatives is kept. */
-static lag_status let_know(lag_instance *instance, unsigned what)
+/* They are known from now on. Indicators have accelerations of their own, and only one kind of derivatives is kept. */
+static lag_status let_know(lag_instance *instance, unsigned role)
 {
-    const unsigned kinds = LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
-    const lag_status status = lag_instance_judge(instance, find(instance, what));
-    instance->values.known &= ~(what == LAG_KNOWN_INDICATORS ? LAG_KNOWN_MOTION : (what & kinds) != 0 ? kinds : 0);
-    instance->values.known |= status == LAG_OK ? what : 0;
+    const unsigned kinds = 1U << LAG_DERIVATIVES | 1U << LAG_PULLED;
+    const lag_status status = lag_instance_judge(instance, find(instance, role));
+    instance->values.known &= ~(role == LAG_ROLE_INDICATOR ? 1U << LAG_ROLE_MULTIPLIER : role >= LAG_ROLES ? kinds : 0);
+    instance->values.known |= status == LAG_OK ? 1U << role : 0;
     return status;
 }
 
-lag_status lag_instance_evaluate(lag_instance *instance, unsigned what)
+lag_status lag_instance_evaluate(lag_instance *instance, unsigned role)
 {
     const lag_model *model = instance->fmu->model;
     const unsigned *known = &instance->values.known;
     lag_status status = lag_instance_ready(instance);
     /* pulled accelerations need those of the model only where loads follow from these */
-    const int needs_motion = what != LAG_KNOWN_RATES || model->nc == 0 || model->nz + model->nload > 0;
-    if (status == LAG_OK && (*known & what) == 0 && needs_motion && (*known & LAG_KNOWN_MOTION) == 0) {
-        status = let_know(instance, LAG_KNOWN_MOTION);
+    const int needs_motion = role != LAG_ROLE_DERIVATIVE || model->nc == 0 || model->nz + model->nload > 0;
+    if (status == LAG_OK && (*known & 1U << role) == 0 && needs_motion && (*known & 1U << LAG_ROLE_MULTIPLIER) == 0) {
+        status = let_know(instance, LAG_ROLE_MULTIPLIER);
     }
-    return status == LAG_OK && (*known & what) == 0 ? let_know(instance, what) : status;
+    return status == LAG_OK && (*known & 1U << role) == 0 ? let_know(instance, role) : status;
 }
 
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
 {
-    const lag_model *model = instance->fmu->model;
-    lag_conditions *watch = &instance->run->conditions;
-    if (model->na == 0) {
-        return LAG_OK;
-    }
+    instance->run->conditions.begun = 0;
     instance->values.known = 0;
-    lag_status status = lag_motion_solve(&instance->run->motion, t, x);
-    status = status == LAG_OK ? model->monitor(&instance->run->motion.at, watch->value, watch->scale, watch->held) : status;
-    status = status == LAG_OK ? lag_conditions_assert(watch) : status;
-    for (size_t i = status == LAG_OK ? lag_conditions_warning(watch, 0) : model->na; i < model->na; i = lag_conditions_warning(watch, i + 1)) {
-        instance->warnings[i] = 1.0;
-    }
-    return status;
+    return instance->fmu->model->na > 0 ? lag_run_watch(instance->run, t, x, NULL) : LAG_OK;
 }

@@ -20,16 +20,14 @@ static int is_motion(lag_role role)
 /* LAG_NOT_FINITE: a value of the motion that is none, or a whole number that an importer has no room for. */
 static lag_status check_found(lag_instance *instance, const lag_variable *variable, const double *values)
 {
-    const lag_model *model = instance->fmu->model;
     const int motion = is_motion((lag_role)variable->role);
+    const int whole = variable->type == LAG_TYPE_INTEGER;
     for (size_t i = 0; i < variable->count; ++i) {
-        if (motion && !isfinite(values[i])) {
-            return lag_instance_fail(
-                instance, LAG_NOT_FINITE, "t = %.10g s: %s is infinite or not a number", instance->held.t, variable->name);
-        }
-        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= (double)INT32_MAX)) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
-                variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : variable->name, values[i]);
+        if ((motion && !isfinite(values[i])) || (whole && !(fabs(values[i]) <= (double)INT32_MAX))) {
+            const lag_slot *entries = variable->role == LAG_ROLE_DISCRETE ? instance->fmu->model->discretes + variable->first : NULL;
+            return lag_instance_fail(instance, LAG_NOT_FINITE,
+                whole ? "t = %.10g s: %s is %.10g, which an Integer cannot be" : "t = %.10g s: %s is infinite or not a number (%g)",
+                instance->held.t, entries != NULL ? entries[i].name : variable->name, values[i]);
         }
     }
     return LAG_OK;
@@ -49,9 +47,9 @@ double lag_instance_value(const lag_instance *instance, const lag_variable *vari
 lag_status lag_instance_look(lag_instance *instance, const lag_variable *variable)
 {
     const lag_role role = (lag_role)variable->role;
-    const unsigned what = (1U << role) & LAG_FOLLOWING;
-    const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
-    const lag_status status = what != 0 ? lag_instance_evaluate(instance, what) : follows ? lag_instance_ready(instance) : LAG_OK;
+    const int plain = role == LAG_ROLE_TIME || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_OPTION || role == LAG_ROLE_PARAMETER;
+    const int held = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
+    const lag_status status = held ? lag_instance_ready(instance) : plain ? LAG_OK : lag_instance_evaluate(instance, role);
     if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->held.polynomial) {
         lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
     }
@@ -70,22 +68,15 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 
 /* ---- setting ---- */
 
-/* The values that entry `i` may have; null: any. */
-static const lag_range *range_of(const lag_fmu *fmu, const lag_variable *variable, size_t i)
-{
-    const lag_range *ranges = variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range :
-                              variable->role == LAG_ROLE_INPUT     ? fmu->inputs.range :
-                                                                     NULL;
-    return ranges == NULL ? NULL : ranges + variable->first + i;
-}
-
 static lag_status check_ranges(lag_instance *instance, const lag_variable *variable, const double *values)
 {
-    const lag_model *model = instance->fmu->model;
-    for (size_t i = 0; i < variable->count; ++i) {
-        const lag_range *range = range_of(instance->fmu, variable, i);
-        if (range != NULL && (values[i] < range->least || values[i] > range->most)) {
-            const lag_slot *slots = variable->role == LAG_ROLE_PARAMETER ? model->parameters : model->inputs;
+    const lag_fmu *fmu = instance->fmu;
+    const int is_input = variable->role == LAG_ROLE_INPUT;
+    const lag_slot *slots = is_input ? fmu->model->inputs : fmu->model->parameters;
+    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range : NULL;
+    for (size_t i = 0; i < variable->count && ranges != NULL; ++i) {
+        const lag_range *range = &ranges[variable->first + i];
+        if (values[i] < range->least || values[i] > range->most) {
             return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", slots[variable->first + i].name, range->least,
                 range->most, values[i]);
         }
@@ -108,7 +99,7 @@ static int put(size_t count, const double *values, double *array)
 static int put_states(lag_instance *instance, const lag_variable *variable, const double *values)
 {
     int changed = 0;
-    if (instance->held.phase == LAG_PHASE_MOTION) {
+    if (instance->held.moving) {
         lag_instance_tie(instance);
         changed = put(variable->count, values, instance->x + variable->first);
         lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
