@@ -168,6 +168,7 @@ static const lag_variable OSC_TABLE[OSC_VARIABLES] = {
     {LAG_ROLE_OUTPUT, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 2, "v13"},
 };
 static const double OSC_STATE[3] = {1.0, 0.0, 1.0};
+static const size_t OSC_ENTRIES[3] = {0, 1, 2};
 static const lag_start OSC_START = {.t = 0.0, .x = OSC_STATE};
 static const double OSC_GROUP[3] = {0.0, 1.0, 2.0};
 static const double OSC_SIZES[3] = {1.0, 1.0, 1.0};
@@ -182,6 +183,7 @@ static const lag_fmu OSC_FMU = {
     .nominal = OSC_SIZES,
     .experiment = {0.0, 10.0, 1e-9},
     .sizes = {OSC_GROUP, OSC_SIZES, OSC_CAPS, NULL},
+    .states = {3, OSC_ENTRIES},
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

@@ -128,7 +128,7 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
         held->implicit = held->step * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper) > STABLE;
     }
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
-        status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->scratch.fixed);
+        status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->fixed);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
         status = status == LAG_OK ? lag_instance_assert(instance, run->stepper.t, run->stepper.x) : status;
         status = status == LAG_OK ? deliver(instance, run->stepper.t) : status;
@@ -173,7 +173,7 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     if (status != LAG_OK) {
         const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;
         held->jumped = 1;
-        lag_instance_note_stop(instance, status);
+        held->stopped = held->stopped || status == LAG_STOPPED;
         status = status == LAG_STOPPED ? at : status;
     }
     told->t = held->t;

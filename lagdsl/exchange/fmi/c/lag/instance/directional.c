@@ -27,7 +27,7 @@ static changes lay_out(lag_instance *instance)
     const lag_model *model = instance->fmu->model;
     const size_t size = lag_motion_size(model);
     lag_derivatives *d = &instance->derivatives;
-    double *memory = instance->scratch.slopes;
+    double *memory = instance->slopes;
     changes to = {.known = 0};
     to.of[LAG_ROLE_TIME] = &d->time;
     to.of[LAG_ROLE_STATE] = to.of[LAG_ROLE_DEPENDENT] = d->x;
@@ -56,7 +56,7 @@ static lag_status follow_parameters(lag_instance *instance)
     lag_derivatives *d = &instance->derivatives;
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
-    double *starts = instance->scratch.slopes;
+    double *starts = instance->slopes;
     if (model->start_tangent == NULL) {
         return LAG_MISSING;
     }

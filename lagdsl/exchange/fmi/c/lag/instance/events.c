@@ -33,21 +33,6 @@ static const double LATE = 1e-9;
 
 /* ---- indicators ---- */
 
-/* True for a relation that the motion does not change. */
-static int is_held(const lag_fmu *fmu, size_t i)
-{
-    return fmu->held_relations != NULL && i < fmu->model->nindicator && fmu->held_relations[i];
-}
-
-size_t lag_instance_indicator_count(const lag_fmu *fmu)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < lag_guard_count(fmu->model); ++i) {
-        count += !is_held(fmu, i);
-    }
-    return count;
-}
-
 /* True for a relation that does not hold now. */
 static int is_false(const lag_instance *instance, size_t i)
 {
@@ -97,17 +82,18 @@ static double distance_to_leave(const lag_instance *instance, size_t i)
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
-    double *g = instance->values.g;
+    const lag_selection *indicators = &instance->fmu->indicators;
     const size_t count = lag_guard_count(instance->fmu->model);
     lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (!is_held(instance->fmu, i)) {
-            *g++ = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
-        }
         if (value_of(instance, i) > instance->guards.latched[i]) {
             instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
         }
+    }
+    for (size_t k = 0; k < indicators->count && status == LAG_OK; ++k) {
+        const size_t i = indicators->entries[k];
+        instance->values.g[k] = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
     }
     return status;
 }
@@ -115,7 +101,7 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
 {
     const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_INDICATOR);
-    memcpy(g, instance->values.g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+    memcpy(g, instance->values.g, instance->fmu->indicators.count * sizeof(double));
     return status;
 }
 
@@ -209,20 +195,14 @@ static lag_status place(lag_instance *instance, double t, int located)
     return status;
 }
 
-/* The present state is the one behind an event, with what began there; `status` is how that went. */
-static lag_status leave(lag_instance *instance, lag_status status)
+lag_status lag_instance_leave_event(lag_instance *instance, lag_status status)
 {
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, instance->run->stepper.x, lag_instance_order(instance) * sizeof(double));
-        lag_instance_note_stop(instance, status);
+        instance->held.stopped = instance->held.stopped || status == LAG_STOPPED;
         status = disarm(instance);
     }
     return status == LAG_OK ? lag_run_count_turns(instance->run, instance->held.t, instance->x) : status;
-}
-
-lag_status lag_instance_enter_run(lag_instance *instance)
-{
-    return leave(instance, lag_run_enter(instance->run));
 }
 
 lag_status lag_instance_carry_out(lag_instance *instance)
@@ -254,12 +234,12 @@ lag_status lag_instance_carry_out(lag_instance *instance)
         run->instants.contacts.flight = run->instants.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;
-    return lag_instance_judge(instance, leave(instance, status));
+    return lag_instance_judge(instance, lag_instance_leave_event(instance, status));
 }
 
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 {
-    double *before = instance->scratch.point;
+    double *before = instance->before;
     const size_t count = lag_instance_order(instance);
     lag_status status = lag_instance_begin(instance);
     memcpy(before, instance->x, count * sizeof(double));

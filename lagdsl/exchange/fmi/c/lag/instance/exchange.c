@@ -39,21 +39,11 @@ void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, doubl
 
 /* ---- states ---- */
 
-size_t lag_instance_state_count(const lag_fmu *fmu)
-{
-    return fmu->states.entries == NULL ? lag_motion_size(fmu->model) : fmu->states.count;
-}
-
-size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i)
-{
-    return fmu->states.entries == NULL ? i : fmu->states.entries[i];
-}
-
 /* Entries of x (2 nq + nz) that are states of the FMU. */
 static void gather(const lag_fmu *fmu, const double *x, double *states)
 {
-    for (size_t i = 0; i < lag_instance_state_count(fmu); ++i) {
-        states[i] = x[lag_instance_state_entry(fmu, i)];
+    for (size_t i = 0; i < fmu->states.count; ++i) {
+        states[i] = x[fmu->states.entries[i]];
     }
 }
 
@@ -67,8 +57,8 @@ void lag_instance_set_time(lag_instance *instance, double t)
 void lag_instance_set_states(lag_instance *instance, const double *x)
 {
     lag_instance_tie(instance);
-    for (size_t i = 0; i < lag_instance_state_count(instance->fmu); ++i) {
-        instance->x[lag_instance_state_entry(instance->fmu, i)] = x[i];
+    for (size_t i = 0; i < instance->fmu->states.count; ++i) {
+        instance->x[instance->fmu->states.entries[i]] = x[i];
     }
     lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
     instance->values.known = 0;

@@ -50,15 +50,14 @@ static void lay_out(lag_instance *instance, room *of)
     instance->guards.armed = take(of, lag_guard_count(model));
     instance->offsets = take(of, fmu->dependents.count);
     instance->kept_count = of->count;
-    instance->values.g = take(of, lag_instance_indicator_count(fmu));
+    instance->values.g = take(of, fmu->indicators.count);
     instance->values.xd = take(of, size);
     instance->values.y = take(of, model->ny);
     instance->values.local = take(of, model->nd);
     instance->values.unasked = take(of, model->nc);
-    instance->scratch.point = take(of, size);
-    instance->scratch.tangent = take(of, size);
-    instance->scratch.fixed = take(of, lag_fixed_memory(size));
-    instance->scratch.slopes = take(of, lag_instance_slopes_memory(model));
+    instance->before = take(of, size);
+    instance->fixed = take(of, lag_fixed_memory(size));
+    instance->slopes = take(of, lag_instance_slopes_memory(model));
     instance->invariant_limits = take(of, model->ni);
     instance->warnings = take(of, model->na + model->nfail);
 }
@@ -72,13 +71,12 @@ static size_t own_size(const lag_fmu *fmu)
     return lag_padded(sizeof(lag_instance)) + lag_padded(of.count * sizeof(double));
 }
 
-/* Remembers which `terminate` acted, and warnings. */
+/* What a `terminate` says is the message of the end; warnings are kept. */
 static lag_status record_event(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;
-    (void)run;
     if (notice->what == LAG_TERMINATE) {
-        instance->held.ending = notice->which;
+        (void)lag_instance_fail(instance, LAG_STOPPED, "t = %.10g s: %s", notice->t, run->motion.model->stops[notice->which]);
     } else if (notice->what == LAG_WARNING) {
         instance->warnings[notice->which] = 1.0;
     }
@@ -91,20 +89,22 @@ static lag_run_options options_of(lag_instance *instance)
     const lag_held *held = &instance->held;
     const double stop = held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop;
     const double length = stop - held->start;
-    lag_run_options options = lag_instance_plan(fmu);
-    options.tolerance = held->integration;
-    options.p = instance->p;
-    options.callbacks = (lag_run_callbacks){.context = instance, .tell = record_event};
-    options.sizes = fmu->sizes;
-    options.lasting = fmu->lasting;
-    options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
-    options.invariants.tolerance = instance->invariant_limits;
-    return options;
+    return (lag_run_options){
+        .careful = 1,
+        .start = fmu->start,
+        .tolerance = held->integration,
+        .p = instance->p,
+        .callbacks = {.context = instance, .tell = record_event},
+        .sizes = fmu->sizes,
+        .lasting = fmu->lasting,
+        .length = length > 0.0 && length < (double)INFINITY ? length : LENGTH,
+        .invariants.tolerance = instance->invariant_limits,
+    };
 }
 
 size_t lag_instance_size(const lag_fmu *fmu)
 {
-    const lag_run_options options = lag_instance_plan(fmu);
+    const lag_run_options options = options_of(&(lag_instance){.fmu = fmu});
     return own_size(fmu) + lag_run_size(fmu->model, &options);
 }
 
@@ -141,14 +141,11 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     lay_out(instance, &of);
     lag_derivatives_place(&instance->derivatives, model, take(&of, lag_derivatives_memory(model)));
     instance->run = (lag_run *)(void *)(bytes + size);
-    instance->held.start = instance->held.t = fmu->experiment.start;
-    instance->held.stop = (double)INFINITY;
-    instance->held.tolerance = instance->held.integration = fmu->experiment.tolerance;
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
         memcpy(instance->starts.parameters, model->defaults, model->np * sizeof(double));
     }
-    lag_instance_renew(instance);
+    lag_instance_setup(instance, LAG_NO_KIND, fmu->experiment.start, (double)INFINITY, 0.0);
     list_values(instance);
     return instance;
 }

@@ -71,13 +71,9 @@ lag_status lag_instance_terminate(lag_instance *instance);
 /* ---- model exchange ---- */
 
 void lag_instance_set_time(lag_instance *instance, double t);
-/* Number of states that importers integrate, and the entry of x that is the i-th of them. */
-size_t lag_instance_state_count(const lag_fmu *fmu);
-size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i);
 void lag_instance_set_states(lag_instance *instance, const double *x);
 void lag_instance_states(const lag_instance *instance, double *x);
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd);
-size_t lag_instance_indicator_count(const lag_fmu *fmu);
 lag_status lag_instance_indicators(lag_instance *instance, double *g);
 /* Event mode: what has changed since the last event is found anew and carried out, with what follows from it. */
 lag_status lag_instance_update(lag_instance *instance, lag_update *told);

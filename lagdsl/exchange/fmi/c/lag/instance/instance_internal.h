@@ -41,8 +41,7 @@ typedef struct lag_held {
     int jumped;             /* something was set since the motion went on: rates are others */
     int polynomial;         /* inputs have derivatives */
     int tied;               /* `offsets` belong to the present state */
-    int stopped;            /* the model has ended the simulation, */
-    size_t ending;          /* by this `terminate` */
+    int stopped;            /* the model has ended the simulation */
 } lag_held;
 
 /* Values that importers set until initialization ends. */
@@ -74,13 +73,6 @@ typedef struct lag_values {
     double slip;                /* the largest residual of rates, each as a part of the rates of its component */
 } lag_values;
 
-/* Memory of one call. */
-typedef struct lag_instance_scratch {
-    double *point, *tangent; /* (2 nq + nz) */
-    double *fixed;           /* lag_fixed_memory() */
-    double *slopes;          /* lag_instance_slopes_memory() */
-} lag_instance_scratch;
-
 struct lag_instance {
     const lag_fmu *fmu;
     lag_run *run;
@@ -97,7 +89,9 @@ struct lag_instance {
     lag_derivatives derivatives;
     double *invariant_limits; /* (ni) */
     double *warnings;         /* (na + nfail) 1: to be told */
-    lag_instance_scratch scratch;
+    double *before;           /* (2 nq + nz) the state before an event */
+    double *fixed;            /* lag_fixed_memory(), of one call */
+    double *slopes;           /* lag_instance_slopes_memory(), of one call */
     char message[LAG_MESSAGE];
 };
 
@@ -105,12 +99,6 @@ struct lag_instance {
 static inline size_t lag_instance_order(const lag_instance *instance)
 {
     return lag_motion_size(instance->fmu->model);
-}
-
-/* Options that determine the size of a run. */
-static inline lag_run_options lag_instance_plan(const lag_fmu *fmu)
-{
-    return (lag_run_options){.careful = 1, .start = fmu->start};
 }
 
 /* ---- instance.c ---- */
@@ -133,8 +121,6 @@ void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, doubl
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
 /* The same in the words of the runtime; LAG_OK stays. */
 lag_status lag_instance_judge(lag_instance *instance, lag_status status);
-/* If `status` is that of a `terminate`, notes that the simulation ends, with its message. */
-void lag_instance_note_stop(lag_instance *instance, lag_status status);
 
 /* ---- instance_start.c ---- */
 
@@ -190,8 +176,8 @@ lag_status lag_instance_balance_inputs(lag_instance *instance);
 
 /* Indicators at the present state, into g. */
 lag_status lag_instance_find_indicators(lag_instance *instance);
-/* The run, which is at the start, begins there with what happens. */
-lag_status lag_instance_enter_run(lag_instance *instance);
+/* The present state is the one behind an event, with what began there; `status` is how that went. */
+lag_status lag_instance_leave_event(lag_instance *instance, lag_status status);
 /*
  * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,
  * is carried out; clocks tick.

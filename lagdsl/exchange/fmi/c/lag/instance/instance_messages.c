@@ -18,18 +18,6 @@ lag_status lag_instance_fail(lag_instance *instance, lag_status status, const ch
     return status;
 }
 
-void lag_instance_note_stop(lag_instance *instance, lag_status status)
-{
-    const lag_model *model = instance->fmu->model;
-    const size_t i = instance->held.ending;
-    if (status != LAG_STOPPED) {
-        return;
-    }
-    instance->held.stopped = 1;
-    (void)lag_instance_fail(instance, status, "t = %.10g s: %s", instance->run->stepper.t,
-        i < model->nstop ? model->stops[i] : "the model ends the simulation");
-}
-
 /* Name of the state that has placed a mass elsewhere, as a clause has set it; null: no clause has. */
 static const char *displacing(const lag_instance *instance)
 {

@@ -146,7 +146,7 @@ lag_status lag_instance_begin_at(lag_instance *instance)
     if (status != LAG_OK) {
         return status;
     }
-    status = lag_instance_enter_run(instance);
+    status = lag_instance_leave_event(instance, lag_run_enter(run));
     status = status == LAG_OK ? lag_instance_assert(instance, held->t, instance->x) : status;
     held->initialized = status == LAG_OK;
     return lag_instance_judge(instance, status);
@@ -189,7 +189,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     double *direction = instance->derivatives.x;
     double *of_inputs = direction + size;
     double *of_parameters = of_inputs + model->nu;
-    double *memory = instance->scratch.slopes;
+    double *memory = instance->slopes;
     double *w = lag_take(&memory, model->nw);
     double *x = lag_take(&memory, size);
     double *p = lag_take(&memory, model->np);
