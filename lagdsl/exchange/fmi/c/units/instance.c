@@ -1,5 +1,4 @@
 /* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
-#include "lag/derivatives.h"
 #include "lag/fixed.h"
 #include "lag/initial.h"
 #include "lag/instance/instance_internal.h"
@@ -10,6 +9,7 @@
 #include "lag/serialization.h"
 #include "lag/shell/handle.h"
 #include "lag/shell/shell.h"
+#include "lag/words.h"
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
@@ -19,8 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "lag/instance/clocks.c"
 
 #define begin cosimulation_begin
 #include "lag/instance/cosimulation.c"
@@ -32,7 +30,9 @@
 #undef find
 #undef lay_out
 
+#define value_of events_value_of
 #include "lag/instance/events.c"
+#undef value_of
 
 #define gather exchange_gather
 #include "lag/instance/exchange.c"
@@ -46,31 +46,21 @@
 #undef lay_out
 #undef take
 
-#define FAULTS instance_messages_FAULTS
-#define blamed instance_messages_blamed
 #define name_of instance_messages_name_of
 #include "lag/instance/instance_messages.c"
-#undef FAULTS
-#undef blamed
 #undef name_of
 
-#include "lag/instance/instance_serialization.c"
-
-#define FAULTS instance_start_FAULTS
-#define blamed instance_start_blamed
 #define find instance_start_find
 #define gather instance_start_gather
 #include "lag/instance/instance_start.c"
-#undef FAULTS
-#undef blamed
 #undef find
 #undef gather
 
-#define find lazy_evaluation_find
-#include "lag/instance/lazy_evaluation.c"
-#undef find
-
+#define find variables_find
+#define value_of variables_value_of
 #include "lag/instance/variables.c"
+#undef find
+#undef value_of
 
 #define acceptable access_acceptable
 #define refuse access_refuse

@@ -154,10 +154,8 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     const double end = lag_instants_same(&instance->run->instants, held->t + h);
     const double far = farthest(instance, end, held->jumped);
     *told = (lag_progress){.t = held->t};
-    if (held->jumped) {
-        lag_instance_chain_inputs(instance);
-    }
     if (status == LAG_OK && held->jumped && !held->stopped) {
+        lag_instance_chain_inputs(instance);
         status = lag_instance_follow_inputs(instance);
         if (status != LAG_OK) {
             return status;

@@ -148,41 +148,26 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
     return lag_instance_judge(instance, status == LAG_OK ? lag_derivatives_along(d) : status);
 }
 
-/*
- * Changes of the unknowns of one kind along a direction, into `result` (unknowns); with weights (unknowns), their weighted sum is added to the one
- * number there.
- */
-static lag_status follow(lag_instance *instance, int pulled, const lag_known *unknown, size_t unknowns, const lag_known *known, size_t knowns,
-    const double *seed, const double *weight, double *result)
-{
-    changes to = lay_out(instance);
-    size_t first = 0;
-    while (first < unknowns && is_pulled(instance, &unknown[first]) != pulled) {
-        ++first;
-    }
-    lag_status status = first < unknowns ? set_direction(instance, &to, pulled, known, knowns, seed) : LAG_OK;
-    for (size_t i = first; i < unknowns && status == LAG_OK; ++i) {
-        double value = 0.0;
-        if (is_pulled(instance, &unknown[i]) == pulled) {
-            status = change(instance, &to, &unknown[i], &value);
-            *(weight != NULL ? result : result + i) = weight != NULL ? *result + weight[i] * value : value;
-        }
-    }
-    return status;
-}
-
 lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
     static const double one = 1.0;
+    size_t of_kind[2] = {0, 0};
     lag_status status = LAG_OK;
+    for (size_t i = 0; i < unknowns; ++i) {
+        ++of_kind[is_pulled(instance, &unknown[i])];
+    }
     lag_fill(adjoint ? knowns : unknowns, 0.0, sensitivity);
     for (int pulled = 0; pulled < 2; ++pulled) {
-        for (size_t k = 0; k < knowns && adjoint && status == LAG_OK; ++k) {
-            status = follow(instance, pulled, unknown, unknowns, &known[k], 1, &one, seed, &sensitivity[k]);
-        }
-        if (!adjoint && status == LAG_OK) {
-            status = follow(instance, pulled, unknown, unknowns, known, knowns, seed, NULL, sensitivity);
+        const size_t directions = of_kind[pulled] == 0 ? 0 : adjoint ? knowns : 1;
+        for (size_t k = 0; k < directions && status == LAG_OK; ++k) {
+            changes to = lay_out(instance);
+            status = set_direction(instance, &to, pulled, known + k, adjoint ? 1 : knowns, adjoint ? &one : seed);
+            for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
+                double value = 0.0;
+                status = is_pulled(instance, &unknown[i]) == pulled ? change(instance, &to, &unknown[i], &value) : LAG_OK;
+                sensitivity[adjoint ? k : i] += adjoint ? seed[i] * value : value;
+            }
         }
     }
     return status;

@@ -171,21 +171,14 @@ static double present(const lag_instance *instance)
 
 /*
  * Places the run at time t and the present state and moves it onto the constraints down to round-off: a residual rate would act as an
- * impact, and a residual gap would not be zero when its contact opens. If the run has located an event, it goes back to that
- * event.
+ * impact, and a residual gap would not be zero when its contact opens.
  */
-static lag_status place(lag_instance *instance, double t, int located)
+static lag_status place(lag_instance *instance, double t)
 {
     lag_run *run = instance->run;
     int moved = 0;
-    lag_status status = located ? lag_run_back(run, t) : LAG_OK;
-    if (status == LAG_OK) {
-        const double h = located ? run->half.next : run->stepper.h;
-        status = lag_run_move(run, t, located ? run->stepper.x : instance->x, h);
-    }
-    if (status == LAG_OK) {
-        status = lag_instance_balance_inputs(instance);
-    }
+    lag_status status = lag_run_move(run, t, instance->x, run->half.open ? run->half.next : run->stepper.h);
+    status = status == LAG_OK ? lag_instance_balance_inputs(instance) : status;
     if (status == LAG_OK && lag_projection_exact(&run->projection, t, run->stepper.x, &moved) != LAG_OK) {
         status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
     }
@@ -210,7 +203,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
-    const double t = located ? held->t : present(instance);
+    const double t = present(instance);
     const double h = located ? run->half.length : SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guard_count(instance->fmu->model);
     int any = 0;
@@ -221,7 +214,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_fill(located ? 0 : count, 0.0, run->half.pending);
     /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
     lag_status status = held->exchanged ? find_left(instance, t, run->half.pending, &flies) : LAG_OK;
-    status = status == LAG_OK ? place(instance, t, located) : status;
+    status = status == LAG_OK ? place(instance, t) : status;
     status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
     any = lag_any(count, run->half.pending);
     if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
@@ -264,4 +257,39 @@ lag_status lag_instance_terminate(lag_instance *instance)
         instance->values.known = 0;
     }
     return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
+}
+
+/* ---- clocks: they tick by themselves, at instants that are known ahead ---- */
+
+/* The first instant of a clock from time t on, but for round-off. Its period stays as it was at the start. */
+static lag_status seek(lag_instance *instance, size_t which, double t, double *period, double *instant)
+{
+    const lag_status status = lag_instance_ready(instance);
+    if (status == LAG_OK) {
+        lag_clock clock = instance->run->instants.clock[which];
+        lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
+        *period = clock.period;
+        *instant = lag_clock_instant(&clock, clock.next);
+    }
+    return status;
+}
+
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
+{
+    const double start = instance->held.start;
+    const lag_status status = seek(instance, which, start, period, shift);
+    *shift = fmax(0.0, *shift - start);
+    return status;
+}
+
+lag_status lag_instance_tick(lag_instance *instance, size_t which)
+{
+    const double t = instance->held.t;
+    double period = 0.0;
+    double tick = t;
+    const lag_status status = seek(instance, which, t, &period, &tick);
+    if (status != LAG_OK || tick <= t + LAG_SAME_TICK * period) {
+        return status;
+    }
+    return lag_instance_fail(instance, LAG_MISSING, "the clock does not tick at %.10g s, but at %.10g s", t, tick);
 }

@@ -133,18 +133,13 @@ lag_status lag_instance_begin_at(lag_instance *instance);
 lag_status lag_instance_start_slopes(lag_instance *instance);
 size_t lag_instance_start_slopes_memory(const lag_model *model);
 
-/* ---- lazy_evaluation.c ---- */
+/* ---- variables.c ---- */
 
 /* Lets the values of a role be known, or what derivatives need. */
 lag_status lag_instance_evaluate(lag_instance *instance, unsigned role);
 /* LAG_VIOLATED: an assertion does not hold at x at time t. Invariants begin anew: steps of importers, and of fixed length, have errors of their own. */
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
-
-/* ---- variables.c ---- */
-
-/* Lets the value of a variable be known; its entry i then. By the factor it is that of the model. */
-lag_status lag_instance_look(lag_instance *instance, const lag_variable *variable);
-double lag_instance_value(const lag_instance *instance, const lag_variable *variable, size_t i);
+/* By this factor the value of a variable is that of the model. */
 double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
 
 /* ---- directional.c ---- */
