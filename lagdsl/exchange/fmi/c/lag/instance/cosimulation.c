@@ -28,13 +28,13 @@ static lag_status deliver(lag_instance *instance, double t)
     lag_run *run = instance->run;
     lag_status status = run->half.open ? lag_run_keep_past(run, t) : LAG_OK; /* inputs may change from here on */
     if (run->stepper.t == t) {
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
     } else if (status == LAG_OK) {
         status = lag_run_inside(instance->run, t, instance->x);
     }
     instance->held.t = t;
     instance->values.known = 0;
-    if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
+    if (status == LAG_OK && !lag_finite(lag_motion_size(instance->fmu->model), instance->x)) {
         status = LAG_NOT_FINITE;
     }
     return status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;
@@ -136,16 +136,6 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
     return status;
 }
 
-/* After the importer has set a value: the run goes back to the communication point, and on from there. */
-static lag_status begin(lag_instance *instance, double far)
-{
-    lag_held *held = &instance->held;
-    lag_status status = lag_instance_carry_out(instance);
-    status = status == LAG_OK && !held->stopped ? lag_run_restart(instance->run, far) : status;
-    held->jumped = status != LAG_OK;
-    return status;
-}
-
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held *held = &instance->held;
@@ -154,13 +144,16 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     const double end = lag_instants_same(&instance->run->instants, held->t + h);
     const double far = farthest(instance, end, held->jumped);
     *told = (lag_progress){.t = held->t};
+    /* after the importer has set a value, the run goes back to the communication point, and on from there */
     if (status == LAG_OK && held->jumped && !held->stopped) {
         lag_instance_chain_inputs(instance);
         status = lag_instance_follow_inputs(instance);
         if (status != LAG_OK) {
             return status;
         }
-        status = begin(instance, far);
+        status = lag_instance_carry_out(instance);
+        status = status == LAG_OK && !held->stopped ? lag_run_restart(instance->run, far) : status;
+        held->jumped = status != LAG_OK;
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {
         status = held->step > 0.0 ? advance_by_fixed_steps(instance, end) : advance(instance, end, far, stops, &told->event);

@@ -183,7 +183,7 @@ static lag_status place(lag_instance *instance, double t)
         status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
     }
     if (status == LAG_OK) {
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
     }
     return status;
 }
@@ -191,7 +191,7 @@ static lag_status place(lag_instance *instance, double t)
 lag_status lag_instance_leave_event(lag_instance *instance, lag_status status)
 {
     if (status == LAG_OK || status == LAG_STOPPED) {
-        memcpy(instance->x, instance->run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, instance->run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
         instance->held.stopped = instance->held.stopped || status == LAG_STOPPED;
         status = disarm(instance);
     }
@@ -233,7 +233,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 {
     double *before = instance->before;
-    const size_t count = lag_instance_order(instance);
+    const size_t count = lag_motion_size(instance->fmu->model);
     lag_status status = lag_instance_begin(instance);
     memcpy(before, instance->x, count * sizeof(double));
     status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
@@ -253,7 +253,7 @@ lag_status lag_instance_terminate(lag_instance *instance)
     status = status == LAG_OK ? lag_run_move(run, instance->held.t, instance->x, 0.0) : status;
     if (status == LAG_OK) {
         status = lag_run_end(run);
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
         instance->values.known = 0;
     }
     return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);

@@ -54,8 +54,7 @@ void lag_instance_set_run_inputs(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
     const size_t nu = instance->fmu->model->nu;
-    instance->held.polynomial = nu > 0 && lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu);
-    motion->inputs = instance->held.polynomial ? inputs_of : NULL;
+    motion->inputs = nu > 0 && lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu) ? inputs_of : NULL;
     motion->context = instance;
     lag_instance_inputs_at(instance, 0, instance->held.t, motion->u);
 }
@@ -63,7 +62,7 @@ void lag_instance_set_run_inputs(lag_instance *instance)
 void lag_instance_inputs_about(lag_instance *instance, double t)
 {
     const size_t nu = instance->fmu->model->nu;
-    for (size_t order = 0; order < LAG_INPUT_ORDER && instance->held.polynomial; ++order) {
+    for (size_t order = 0; order < LAG_INPUT_ORDER && instance->run->motion.inputs != NULL; ++order) {
         for (size_t i = 0; i < nu; ++i) {
             instance->inputs.course[order * nu + i] = derivative_at(instance, i, order, t - instance->held.about);
         }

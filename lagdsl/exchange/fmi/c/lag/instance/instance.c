@@ -84,12 +84,15 @@ static lag_status record_event(void *context, lag_run *run, const lag_event_noti
     return LAG_OK;
 }
 
+static double length_of(double start, double stop)
+{
+    return stop - start > 0.0 && stop - start < (double)INFINITY ? stop - start : LENGTH;
+}
+
 static lag_run_options options_of(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_held *held = &instance->held;
-    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop;
-    const double length = stop - held->start;
     return (lag_run_options){
         .careful = 1,
         .start = fmu->start,
@@ -98,7 +101,7 @@ static lag_run_options options_of(lag_instance *instance)
         .callbacks = {.context = instance, .tell = record_event},
         .sizes = fmu->sizes,
         .lasting = fmu->lasting,
-        .length = length > 0.0 && length < (double)INFINITY ? length : LENGTH,
+        .length = length_of(held->start, held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop),
         .invariants.tolerance = instance->invariant_limits,
     };
 }
@@ -153,8 +156,7 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
 
 double lag_instance_rate(const lag_instance *instance)
 {
-    const double length = instance->fmu->experiment.stop - instance->fmu->experiment.start;
-    return RATE / (length > 0.0 && length < (double)INFINITY ? length : LENGTH);
+    return RATE / length_of(instance->fmu->experiment.start, instance->fmu->experiment.stop);
 }
 
 void lag_instance_renew(lag_instance *instance)
@@ -172,21 +174,17 @@ void lag_instance_renew(lag_instance *instance)
     lag_instance_set_run_inputs(instance);
 }
 
-/* That of the experiment is one for `lag run`, which is the tolerance of the steps. */
-static double integration_tolerance(const lag_instance *instance, lag_kinds kind)
-{
-    const double given = instance->held.tolerance;
-    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->experiment.tolerance)) : given;
-}
-
 void lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
 {
     lag_held *held = &instance->held;
+    const double own = instance->fmu->experiment.tolerance;
     held->start = held->t = start;
     held->stop = stop;
-    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
-    held->integration = integration_tolerance(instance, kind);
-    lag_instance_inputs_about(instance, start);
+    held->tolerance = held->integration = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : own;
+    if (kind == LAG_CO_SIMULATION) { /* that of the experiment is one for `lag run`, which is the tolerance of the steps */
+        held->integration = fmin(held->tolerance, fmax(INTEGRATION * held->tolerance, own));
+    }
+    held->about = start;
     lag_instance_renew(instance);
 }
 

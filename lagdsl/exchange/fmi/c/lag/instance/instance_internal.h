@@ -39,7 +39,6 @@ typedef struct lag_held {
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
     int jumped;             /* something was set since the motion went on: rates are others */
-    int polynomial;         /* inputs have derivatives */
     int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation */
 } lag_held;
@@ -94,12 +93,6 @@ struct lag_instance {
     double *slopes;           /* lag_instance_slopes_memory(), of one call */
     char message[LAG_MESSAGE];
 };
-
-/* Numbers of its state, and of the present inputs. */
-static inline size_t lag_instance_order(const lag_instance *instance)
-{
-    return lag_motion_size(instance->fmu->model);
-}
 
 /* ---- instance.c ---- */
 

@@ -28,9 +28,7 @@ static int as_exported(const lag_instance *instance, int own)
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     int same = fmu->start->x != NULL && fmu->start->free == NULL && fmu->start->t == instance->held.t && (own || model->nc + model->ne == 0);
-    for (size_t i = 0; i < model->np && same; ++i) {
-        same = instance->p[i] == model->defaults[i];
-    }
+    same = same && lag_same(model->np, instance->p, model->defaults);
     for (size_t i = 0; i < lag_motion_size(model) && same; ++i) {
         same = !instance->starts.given[i] || instance->starts.values[i] == fmu->start->x[i];
     }
@@ -102,7 +100,7 @@ static lag_status find_start(lag_instance *instance, double along, double *x, la
         return lag_instance_judge(instance, status);
     }
     if (along == 0.0 && as_exported(instance, own)) {
-        memcpy(x, fmu->start->x, lag_instance_order(instance) * sizeof(double));
+        memcpy(x, fmu->start->x, lag_motion_size(instance->fmu->model) * sizeof(double));
     } else if (fmu->model->nc + fmu->model->ne > 0) {
         status = lag_run_find(run, instance->held.t + along * instance->derivatives.time, instance->starts.given, x, told);
     }

@@ -192,7 +192,7 @@ static lag_status look(lag_instance *instance, const lag_variable *variable)
     const int plain = role == LAG_ROLE_TIME || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_OPTION || role == LAG_ROLE_PARAMETER;
     const int held = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
     const lag_status status = held ? lag_instance_ready(instance) : plain ? LAG_OK : lag_instance_evaluate(instance, role);
-    if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->held.polynomial) {
+    if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->run->motion.inputs != NULL) {
         lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
     }
     return status;
