@@ -20,9 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define begin cosimulation_begin
 #include "lag/instance/cosimulation.c"
-#undef begin
 
 #define find directional_find
 #define lay_out directional_lay_out
@@ -83,12 +81,10 @@
 
 #include "lag/shell/messages.c"
 
-#define begin shell_begin
 #define fault shell_fault
 #define name_of shell_name_of
 #define refuse shell_refuse
 #include "lag/shell/shell.c"
-#undef begin
 #undef fault
 #undef name_of
 #undef refuse

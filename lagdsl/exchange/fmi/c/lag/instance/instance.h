@@ -48,7 +48,7 @@ const char *lag_instance_warning(lag_instance *instance);
 /* True if the variable is a free parameter: initialization solves for it, from the value that was set as a guess. */
 int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable);
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
-/* Finite values of the type of the variable, where the moment allows that: both are the caller's to check. Refused: values outside of the range. */
+/* Finite values of the type of the variable and within its range, where the moment allows that: all this is the caller's to check. */
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
 /* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2). */
 lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values);

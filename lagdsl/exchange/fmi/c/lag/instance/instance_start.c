@@ -110,41 +110,28 @@ static lag_status find_start(lag_instance *instance, double along, double *x, la
     return lag_instance_fail(instance, status, FAULTS[told->fault], blamed(fmu->model, told), told->residual);
 }
 
-/* The state at which the motion begins, into x, with inputs and free parameters. */
-static lag_status find(lag_instance *instance)
-{
-    lag_run *run = instance->run;
-    const lag_model *model = instance->fmu->model;
-    const unsigned char *free = instance->fmu->start->free;
-    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
-    for (size_t i = 0; i < model->np && free != NULL; ++i) {
-        instance->p[i] = instance->starts.parameters[i];
-    }
-    const lag_status status = find_start(instance, 0.0, instance->x, &told);
-    for (size_t i = 0; i < model->nu; ++i) {
-        instance->inputs.course[i] = run->motion.u[i];
-    }
-    lag_instance_set_run_inputs(instance);
-    return status == LAG_OK ? lag_instance_judge(instance, lag_run_move(run, instance->held.t, instance->x, 0.0)) : status;
-}
-
 lag_status lag_instance_begin_at(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
+    const lag_model *model = instance->fmu->model;
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
     lag_turns_clear(&run->turns);
     held->stopped = held->tied = 0;
-    held->left_at = held->t;
+    held->left_at = run->counts.begun = held->t;
     held->left_for = 0.0;
     held->implicit = -1;
-    run->counts.begun = held->t;
-    lag_status status = find(instance);
+    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
+    memcpy(instance->p, instance->starts.parameters, model->np * sizeof(double)); /* free ones are searched from there */
+    lag_status status = find_start(instance, 0.0, instance->x, &told);
+    memcpy(instance->inputs.course, run->motion.u, model->nu * sizeof(double));
+    lag_instance_set_run_inputs(instance);
     if (status != LAG_OK) {
         return status;
     }
-    status = lag_instance_leave_event(instance, lag_run_enter(run));
+    status = lag_run_move(run, held->t, instance->x, 0.0);
+    status = status == LAG_OK ? lag_instance_leave_event(instance, lag_run_enter(run)) : status;
     status = status == LAG_OK ? lag_instance_assert(instance, held->t, instance->x) : status;
     held->initialized = status == LAG_OK;
     return lag_instance_judge(instance, status);

@@ -210,22 +210,6 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 
 /* ---- setting ---- */
 
-static lag_status check_ranges(lag_instance *instance, const lag_variable *variable, const double *values)
-{
-    const lag_fmu *fmu = instance->fmu;
-    const int is_input = variable->role == LAG_ROLE_INPUT;
-    const lag_slot *slots = is_input ? fmu->model->inputs : fmu->model->parameters;
-    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range : NULL;
-    for (size_t i = 0; i < variable->count && ranges != NULL; ++i) {
-        const lag_range *range = &ranges[variable->first + i];
-        if (values[i] < range->least || values[i] > range->most) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", slots[variable->first + i].name, range->least,
-                range->most, values[i]);
-        }
-    }
-    return LAG_OK;
-}
-
 /* 1: something changed. */
 static int put(size_t count, const double *values, double *array)
 {
@@ -259,11 +243,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
 {
     const lag_variable *which = &instance->fmu->variables[variable];
     lag_held *held = &instance->held;
-    const lag_status status = check_ranges(instance, which, values);
     int changed = 0;
-    if (status != LAG_OK) {
-        return status;
-    }
     switch ((lag_role)which->role) {
     case LAG_ROLE_PARAMETER:
         changed = put(which->count, values, instance->starts.parameters + which->first);
@@ -278,9 +258,6 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
         lag_instance_set_inputs(instance, 0, which->first, which->count, values);
         return LAG_OK;
     case LAG_ROLE_OPTION:
-        if (values[0] < 0.0) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "the length of steps cannot be %g s", values[0]);
-        }
         changed = put(1, values, &held->step);
         held->implicit = -1;
         break;

@@ -169,6 +169,26 @@ static lag_answer refuse(lag_shell *shell, const lag_variable *variable)
     return lag_shell_say(shell, LAG_ANSWER_ERROR, format, variable->name);
 }
 
+/* 0, and told why: the value of entry `i` is infinite, no number, or beyond its range. */
+static int within(lag_shell *shell, const lag_variable *variable, size_t i, double value)
+{
+    const lag_fmu *fmu = shell->fmu;
+    const int is_input = variable->role == LAG_ROLE_INPUT;
+    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range : NULL;
+    const size_t entry = variable->first + i;
+    if (!isfinite(value)) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
+    } else if (variable->role == LAG_ROLE_OPTION && value < 0.0) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the length of steps cannot be %g s", value);
+    } else if (ranges != NULL && (value < ranges[entry].least || value > ranges[entry].most)) {
+        const lag_slot *slots = is_input ? fmu->model->inputs : fmu->model->parameters;
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is from %g to %g, not %g", slots[entry].name, ranges[entry].least, ranges[entry].most, value);
+    } else {
+        return 1;
+    }
+    return 0;
+}
+
 static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, const void *values, lag_fetch *fetch)
 {
     size_t place = 0;
@@ -180,8 +200,7 @@ static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, co
             return 0;
         }
         for (size_t k = 0; k < variable->count; ++k, ++place) {
-            if (!isfinite(fetch != NULL ? fetch(values, place) : ((const double *)values)[place])) {
-                (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
+            if (!within(shell, variable, k, fetch != NULL ? fetch(values, place) : ((const double *)values)[place])) {
                 return 0;
             }
         }
