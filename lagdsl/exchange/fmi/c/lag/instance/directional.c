@@ -16,18 +16,12 @@ typedef struct changes {
     unsigned known; /* one bit for each role */
 } changes;
 
-size_t lag_instance_slopes_memory(const lag_model *model)
-{
-    const size_t after = lag_motion_size(model) + model->ny + model->nd + 3;
-    return lag_larger(after, lag_instance_start_slopes_memory(model));
-}
-
 static changes lay_out(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     const size_t size = lag_motion_size(model);
     lag_derivatives *d = &instance->derivatives;
-    double *memory = instance->slopes;
+    double *memory = instance->scratch;
     changes to = {.known = 0};
     to.of[LAG_ROLE_TIME] = &d->time;
     to.of[LAG_ROLE_STATE] = to.of[LAG_ROLE_DEPENDENT] = d->x;
@@ -56,7 +50,7 @@ static lag_status follow_parameters(lag_instance *instance)
     lag_derivatives *d = &instance->derivatives;
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
-    double *starts = instance->slopes;
+    double *starts = instance->scratch;
     if (model->start_tangent == NULL) {
         return LAG_MISSING;
     }
@@ -75,26 +69,13 @@ static lag_status follow_parameters(lag_instance *instance)
 
 /* ---- what changes ---- */
 
-static lag_status find(lag_instance *instance, changes *to, lag_role role)
-{
-    lag_derivatives *d = &instance->derivatives;
-    if ((to->known & 1U << role) != 0) {
-        return LAG_OK;
-    }
-    to->known |= 1U << role;
-    switch (role) {
-    case LAG_ROLE_DERIVATIVE:
-        return lag_derivatives_rates(d, to->of[role]);
-    case LAG_ROLE_OUTPUT:
-        return lag_derivatives_outputs(d, to->of[role]);
-    case LAG_ROLE_LOCAL:
-        return lag_derivatives_definitions(d, to->of[role]);
-    case LAG_ROLE_ENERGY:
-        return lag_derivatives_energies(d, to->of[role]);
-    default:
-        return LAG_OK;
-    }
-}
+/* What tells it for all variables of a role; null: `derivatives` have it. */
+static lag_status (*const FOLLOWING[LAG_ROLES])(lag_derivatives *, double *) = {
+    [LAG_ROLE_DERIVATIVE] = lag_derivatives_rates,
+    [LAG_ROLE_OUTPUT] = lag_derivatives_outputs,
+    [LAG_ROLE_LOCAL] = lag_derivatives_definitions,
+    [LAG_ROLE_ENERGY] = lag_derivatives_energies,
+};
 
 /* Change of one unknown. */
 static lag_status change(lag_instance *instance, changes *to, const lag_known *unknown, double *value)
@@ -105,7 +86,11 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
     if (to->of[role] == NULL) {
         return lag_instance_fail(instance, LAG_MISSING, "%s has no derivatives", variable->name);
     }
-    lag_status status = find(instance, to, role);
+    lag_status status = LAG_OK;
+    if (FOLLOWING[role] != NULL && (to->known & 1U << role) == 0) {
+        status = FOLLOWING[role](&instance->derivatives, to->of[role]);
+        to->known |= 1U << role;
+    }
     *value = to->of[role][index] * lag_instance_factor(instance, role, index);
     status = status == LAG_OK && !isfinite(*value) ? LAG_NOT_FINITE : status;
     return lag_instance_judge(instance, status);

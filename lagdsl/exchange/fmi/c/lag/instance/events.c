@@ -232,7 +232,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
 
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 {
-    double *before = instance->before;
+    double *before = instance->scratch;
     const size_t count = lag_motion_size(instance->fmu->model);
     lag_status status = lag_instance_begin(instance);
     memcpy(before, instance->x, count * sizeof(double));

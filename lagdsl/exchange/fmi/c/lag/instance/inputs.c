@@ -129,15 +129,10 @@ void lag_instance_leave_inputs(lag_instance *instance)
     }
 }
 
-/* The inputs at the present, into those of the run; 0: they are not known on the left of it, or have not been set since. */
-static int read_inputs(lag_instance *instance)
+/* 0: the inputs are not known on the left of the present, or have not been set since. */
+static int are_set(const lag_instance *instance)
 {
-    const double t = instance->held.t;
-    const int known = t == instance->held.left_at && t > instance->run->counts.begun;
-    if (known) {
-        lag_instance_inputs_at(instance, 0, t, instance->run->motion.u);
-    }
-    return known;
+    return instance->held.t == instance->held.left_at && instance->held.t > instance->run->counts.begun;
 }
 
 /* True if input i has a derivative among the inputs, and changes by more than that tells. */
@@ -161,7 +156,7 @@ lag_status lag_instance_follow_inputs(lag_instance *instance)
 {
     const unsigned char *follows = instance->fmu->inputs.continuous;
     const lag_slot *inputs = instance->fmu->model->inputs;
-    const size_t count = follows != NULL && read_inputs(instance) ? instance->fmu->model->nu : 0;
+    const size_t count = follows != NULL && are_set(instance) ? instance->fmu->model->nu : 0;
     for (size_t i = 0; i < count; ++i) {
         if (follows[i] && jumps(instance, i)) {
             const size_t rate = instance->fmu->inputs.rates[i];
@@ -179,7 +174,7 @@ lag_status lag_instance_balance_inputs(lag_instance *instance)
     lag_run *run = instance->run;
     const size_t nu = instance->fmu->model->nu;
     int blow = 0; /* of which contacts hear */
-    if (!read_inputs(instance) || lag_same(nu, run->motion.u, instance->inputs.left)) {
+    if (!are_set(instance) || lag_same(nu, run->motion.u, instance->inputs.left)) {
         return LAG_OK;
     }
     for (size_t i = 0; i < nu; ++i) {

@@ -56,9 +56,7 @@ static void lay_out(lag_instance *instance, room *of)
     instance->values.y = take(of, model->ny);
     instance->values.local = take(of, model->nd);
     instance->values.unasked = take(of, model->nc);
-    instance->before = take(of, size);
-    instance->fixed = take(of, lag_fixed_memory(size));
-    instance->slopes = take(of, lag_instance_slopes_memory(model));
+    instance->scratch = take(of, lag_fixed_memory(size) + 3 * size + 2 * model->np + model->nu + model->nw + model->ny + model->nd + 3);
     instance->invariant_limits = take(of, model->ni);
     instance->warnings = take(of, model->na + model->nfail);
 }

@@ -88,9 +88,7 @@ struct lag_instance {
     lag_derivatives derivatives;
     double *invariant_limits; /* (ni) */
     double *warnings;         /* (na + nfail) 1: to be told */
-    double *before;           /* (2 nq + nz) the state before an event */
-    double *fixed;            /* lag_fixed_memory(), of one call */
-    double *slopes;           /* lag_instance_slopes_memory(), of one call */
+    double *scratch;          /* of one call: states, and what their derivatives or a step of fixed length need */
     char message[LAG_MESSAGE];
 };
 
@@ -119,12 +117,8 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status);
 
 /* In the start phase: the state that follows from what was set, with what happens there. */
 lag_status lag_instance_begin_at(lag_instance *instance);
-/*
- * Change of the start along the direction in `derivatives`, written into its states; below, the doubles of `slopes` that
- * this takes.
- */
+/* Change of the start along the direction in `derivatives`, written into its states. */
 lag_status lag_instance_start_slopes(lag_instance *instance);
-size_t lag_instance_start_slopes_memory(const lag_model *model);
 
 /* ---- variables.c ---- */
 
@@ -134,11 +128,6 @@ lag_status lag_instance_evaluate(lag_instance *instance, unsigned role);
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
 /* By this factor the value of a variable is that of the model. */
 double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
-
-/* ---- directional.c ---- */
-
-/* Doubles of `slopes`. */
-size_t lag_instance_slopes_memory(const lag_model *model);
 
 /* ---- inputs.c ---- */
 

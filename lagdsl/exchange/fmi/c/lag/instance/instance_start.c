@@ -150,11 +150,6 @@ lag_status lag_instance_begin(lag_instance *instance)
  * The start is the result of a search, so the search is repeated beside the present values, for differences.
  */
 
-size_t lag_instance_start_slopes_memory(const lag_model *model)
-{
-    return 2 * lag_motion_size(model) + 2 * model->np + model->nu + model->nw;
-}
-
 /* The largest entry of a direction, in sizes of the values. */
 static double most_of(size_t count, const double *direction, const double *values, double smallest)
 {
@@ -174,7 +169,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     double *direction = instance->derivatives.x;
     double *of_inputs = direction + size;
     double *of_parameters = of_inputs + model->nu;
-    double *memory = instance->slopes;
+    double *memory = instance->scratch;
     double *w = lag_take(&memory, model->nw);
     double *x = lag_take(&memory, size);
     double *p = lag_take(&memory, model->np);
