@@ -1,5 +1,5 @@
-"""Why a motion ends, in short, for who has its status and what is to blame, and not its state to explain it by: the page
-and FMUs. The header that FMUs read is generated from it (`generate.py`)."""
+"""Why a motion ends, in short, for who has its status and what is to blame, and not its state: the page and FMUs. The
+header that FMUs read is generated from it (`generate.py`)."""
 
 from __future__ import annotations
 
@@ -44,16 +44,19 @@ _LIST = re.compile(r"\{(\w+)\}")
 def words_text() -> str:
     """The header with the same words, each with one `%s` for its names."""
     lists = sorted({name for words in WORDS.values() for name in _LIST.findall(words)})
-    enumerators = ", ".join(f"LAG_BLAMED_{name.upper()}" for name in ("nothing", *lists))
-    rows = "".join(
-        f'    [LAG_{status.name}] = {{LAG_BLAMED_{"".join(_LIST.findall(words)).upper() or "NOTHING"}, '
-        f'"{_LIST.sub("%s", words)}"}},\n'
-        for status, words in WORDS.items()
-    )
+    enumerators = ", ".join(_blamed(name) for name in ("nothing", *lists))
+    rows = []
+    for status, words in WORDS.items():
+        (name,) = _LIST.findall(words) or ["nothing"]
+        rows.append(f'    [LAG_{status.name}] = {{{_blamed(name)}, "{_LIST.sub("%s", words)}"}},\n')
     return (
-        "/* Generated: why a motion ends, with the list that has the names of what is to blame (lagdsl/engines/runtime/words.py). */\n"
+        "/* Generated: why a motion ends, with the list that names what is to blame (runtime/words.py). */\n"
         '#ifndef LAG_WORDS_H\n#define LAG_WORDS_H\n\n#include "lag/status.h"\n\n'
         f"typedef enum lag_blamed {{\n    {enumerators}\n}} lag_blamed;\n\n"
-        "static const struct {\n    lag_blamed blamed;\n    const char *words; /* with %s for the names */\n} LAG_WORDS[] = {\n"
-        f"{rows}}};\n\n#endif\n"
+        "static const struct {\n    lag_blamed blamed;\n    const char *words; /* with %s for the names */\n"
+        f"}} LAG_WORDS[] = {{\n{''.join(rows)}}};\n\n#endif\n"
     )
+
+
+def _blamed(name: str) -> str:
+    return f"LAG_BLAMED_{name.upper()}"

@@ -1,4 +1,4 @@
-/* Generated: why a motion ends, with the list that has the names of what is to blame (lagdsl/engines/runtime/words.py). */
+/* Generated: why a motion ends, with the list that names what is to blame (runtime/words.py). */
 #ifndef LAG_WORDS_H
 #define LAG_WORDS_H
 

@@ -22,10 +22,8 @@
 
 #include "lag/instance/cosimulation.c"
 
-#define find directional_find
 #define lay_out directional_lay_out
 #include "lag/instance/directional.c"
-#undef find
 #undef lay_out
 
 #define value_of events_value_of
@@ -48,16 +46,12 @@
 #include "lag/instance/instance_messages.c"
 #undef name_of
 
-#define find instance_start_find
 #define gather instance_start_gather
 #include "lag/instance/instance_start.c"
-#undef find
 #undef gather
 
-#define find variables_find
 #define value_of variables_value_of
 #include "lag/instance/variables.c"
-#undef find
 #undef value_of
 
 #define acceptable access_acceptable

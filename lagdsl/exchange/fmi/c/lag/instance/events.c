@@ -68,7 +68,7 @@ static double dead_band(const lag_instance *instance, size_t i)
 /* True if guard i has been clear of its dead band since the last event. */
 static int is_armed(const lag_instance *instance, size_t i)
 {
-    return instance->held.t > instance->guards.armed[i];
+    return instance->held.t > instance->armed[i];
 }
 
 /* The way of guard i until it leaves; negative: it has left. */
@@ -76,7 +76,7 @@ static double distance_to_leave(const lag_instance *instance, size_t i)
 {
     const double sigma = round_off(instance, i);
     const double before = lag_guards_touches(&instance->run->guards, i) ? dead_band(instance, i) : 0.0;
-    const double behind = is_armed(instance, i) ? -before : instance->guards.latched[i];
+    const double behind = is_armed(instance, i) ? -before : instance->latched[i];
     return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
 }
 
@@ -87,8 +87,8 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
     lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (value_of(instance, i) > instance->guards.latched[i]) {
-            instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
+        if (value_of(instance, i) > instance->latched[i]) {
+            instance->armed[i] = fmin(instance->armed[i], instance->held.t);
         }
     }
     for (size_t k = 0; k < indicators->count && status == LAG_OK; ++k) {
@@ -117,8 +117,8 @@ static lag_status disarm(lag_instance *instance)
     const lag_status status = lag_guards_begin(&run->guards, t, instance->x);
     for (size_t i = 0; i < lag_guard_count(instance->fmu->model) && status == LAG_OK; ++i) {
         const double behind = dead_band(instance, i) + fmax(0.0, -value_of(instance, i));
-        instance->guards.latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->guards.latched[i]);
-        instance->guards.armed[i] = value_of(instance, i) > instance->guards.latched[i] ? t : (double)INFINITY;
+        instance->latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
+        instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;
     }
     return status;
 }
@@ -144,7 +144,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
         const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
         const int leaves = exchanged ? distance_to_leave(instance, i) < near : guards->changed[i] != 0.0;
         const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
-        instance->guards.latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
+        instance->latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
         left[i] = left[i] != 0.0 || leaves;
         *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && is_armed(instance, i));
         guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;

@@ -59,9 +59,11 @@ void lag_instance_set_run_inputs(lag_instance *instance)
     lag_instance_inputs_at(instance, 0, instance->held.t, motion->u);
 }
 
-void lag_instance_inputs_about(lag_instance *instance, double t)
+/* The course of the inputs about the present, so that their values can be set there. */
+static void start_courses(lag_instance *instance)
 {
     const size_t nu = instance->fmu->model->nu;
+    const double t = instance->held.t;
     for (size_t order = 0; order < LAG_INPUT_ORDER && instance->run->motion.inputs != NULL; ++order) {
         for (size_t i = 0; i < nu; ++i) {
             instance->inputs.course[order * nu + i] = derivative_at(instance, i, order, t - instance->held.about);
@@ -77,7 +79,7 @@ void lag_instance_chain_inputs(lag_instance *instance)
     if (rates == NULL) {
         return;
     }
-    lag_instance_inputs_about(instance, instance->held.t);
+    start_courses(instance);
     for (size_t k = 1; k <= LAG_INPUT_ORDER; ++k) {
         for (size_t i = 0; i < nu; ++i) {
             if (rates[i] < nu) {
@@ -98,7 +100,7 @@ void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first,
     if (!held->exchanged && held->left_at != held->t) {
         lag_instance_leave_inputs(instance);
     }
-    lag_instance_inputs_about(instance, held->t);
+    start_courses(instance);
     if (!lag_same(count, course, values)) {
         memcpy(course, values, count * sizeof(double));
         held->jumped = 1;

@@ -47,8 +47,8 @@ static void lay_out(lag_instance *instance, room *of)
     instance->inputs.course = take(of, (LAG_INPUT_ORDER + 1) * model->nu);
     instance->inputs.left = take(of, model->nu);
     instance->inputs.given = (unsigned char *)take(of, model->nu);
-    instance->guards.latched = take(of, lag_guard_count(model));
-    instance->guards.armed = take(of, lag_guard_count(model));
+    instance->latched = take(of, lag_guard_count(model));
+    instance->armed = take(of, lag_guard_count(model));
     instance->offsets = take(of, fmu->dependents.count);
     instance->kept_count = of->count;
     instance->values.g = take(of, fmu->indicators.count);

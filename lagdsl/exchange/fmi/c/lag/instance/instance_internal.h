@@ -56,12 +56,6 @@ typedef struct lag_input_courses {
     unsigned char *given; /* (nu) flags: this one was set */
 } lag_input_courses;
 
-/* Of event indicators. */
-typedef struct lag_dead_bands {
-    double *latched; /* (guards) so far behind zero a guard that is not armed may go */
-    double *armed;   /* (guards) time from which on it is armed; infinite: not yet */
-} lag_dead_bands;
-
 /* Values of variables; those that follow from the present state as far as they are known. */
 typedef struct lag_values {
     unsigned known; /* one bit for each role */
@@ -82,7 +76,8 @@ struct lag_instance {
     double *p;              /* (np) those of the motion, found ones among them */
     lag_starts starts;
     lag_input_courses inputs;
-    lag_dead_bands guards;
+    double *latched;        /* (guards) so far behind zero a guard that is not armed may go */
+    double *armed;          /* (guards) time from which on it is armed; infinite: not yet */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
     lag_values values;
     lag_derivatives derivatives;
@@ -133,8 +128,6 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
 
 /* The inputs at time t, or their derivatives of this order, into u. */
 void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u);
-/* The course of the inputs about t, so that their values can be set there. */
-void lag_instance_inputs_about(lag_instance *instance, double t);
 /* Derivative number `order` of so many inputs at the present; 0: their values. */
 void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first, size_t count, const double *values);
 /* Inputs whose derivatives are inputs, too, go as these say. */
