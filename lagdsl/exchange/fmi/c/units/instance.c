@@ -26,9 +26,7 @@
 #include "lag/instance/directional.c"
 #undef lay_out
 
-#define value_of events_value_of
 #include "lag/instance/events.c"
-#undef value_of
 
 #define gather exchange_gather
 #include "lag/instance/exchange.c"
@@ -50,9 +48,7 @@
 #include "lag/instance/instance_start.c"
 #undef gather
 
-#define value_of variables_value_of
 #include "lag/instance/variables.c"
-#undef value_of
 
 #define acceptable access_acceptable
 #define refuse access_refuse

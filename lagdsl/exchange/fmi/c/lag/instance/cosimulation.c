@@ -85,32 +85,18 @@ static int stops_here(const lag_instance *instance, double end, int stops)
 static lag_status advance(lag_instance *instance, double end, double far, int stops, int *event)
 {
     lag_run *run = instance->run;
-    int going = reached(run) < end;
+    const int once = (stops & LAG_STOP_STEPS) != 0;
+    lag_status status = LAG_OK;
     *event = stops_here(instance, end, stops);
-    for (double k = 0.0; going && !*event; k += 1.0) {
-        lag_status status = k < LAG_MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
-        if (status == LAG_OK) {
-            status = step(instance, end, &far);
-        }
+    for (double k = 0.0; status == LAG_OK && !*event && reached(run) < end && !(once && k > 0.0); k += 1.0) {
+        status = k < LAG_MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
+        status = status == LAG_OK ? step(instance, end, &far) : status;
         *event = status == LAG_OK && stops_here(instance, end, stops);
         if (status == LAG_OK && instance->fmu->model->nturn > 0 && reached(run) < end) {
             status = deliver(instance, reached(run));
         }
-        if (status != LAG_OK) {
-            return status;
-        }
-        going = reached(run) < end && (stops & LAG_STOP_STEPS) == 0;
     }
-    return deliver(instance, fmin(reached(run), end));
-}
-
-/* At the stop no step follows that would begin with what happens there: clocks tick, as at the end of a run. */
-static lag_status end_at_the_stop(lag_instance *instance)
-{
-    lag_run *run = instance->run;
-    lag_status status = finish(instance, run->stepper.t);
-    status = status == LAG_OK ? lag_run_ticks(run) : status;
-    return status == LAG_OK ? deliver(instance, run->stepper.t) : status;
+    return status == LAG_OK ? deliver(instance, fmin(reached(run), end)) : status;
 }
 
 /*
@@ -139,9 +125,10 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held *held = &instance->held;
+    lag_run *run = instance->run;
     lag_status status = lag_instance_begin(instance);
     /* times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost */
-    const double end = lag_instants_same(&instance->run->instants, held->t + h);
+    const double end = lag_instants_same(&run->instants, held->t + h);
     const double far = farthest(instance, end, held->jumped);
     *told = (lag_progress){.t = held->t};
     /* after the importer has set a value, the run goes back to the communication point, and on from there */
@@ -152,17 +139,20 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
             return status;
         }
         status = lag_instance_carry_out(instance);
-        status = status == LAG_OK && !held->stopped ? lag_run_restart(instance->run, far) : status;
+        status = status == LAG_OK && !held->stopped ? lag_run_restart(run, far) : status;
         held->jumped = status != LAG_OK;
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {
         status = held->step > 0.0 ? advance_by_fixed_steps(instance, end) : advance(instance, end, far, stops, &told->event);
+        /* at the stop no step follows that would begin with what happens there: clocks tick, as at the end of a run */
         if (status == LAG_OK && !told->event && held->t == end && end + LAG_SAME_TICK * h >= held->stop) {
-            status = end_at_the_stop(instance);
+            status = finish(instance, run->stepper.t);
+            status = status == LAG_OK ? lag_run_ticks(run) : status;
+            status = status == LAG_OK ? deliver(instance, run->stepper.t) : status;
         }
     }
     if (status != LAG_OK) {
-        const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;
+        const lag_status at = run->stepper.t <= end ? deliver(instance, run->stepper.t) : LAG_OK;
         held->jumped = 1;
         held->stopped = held->stopped || status == LAG_STOPPED;
         status = status == LAG_STOPPED ? at : status;

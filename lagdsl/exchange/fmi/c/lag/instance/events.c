@@ -193,6 +193,7 @@ lag_status lag_instance_leave_event(lag_instance *instance, lag_status status)
     if (status == LAG_OK || status == LAG_STOPPED) {
         memcpy(instance->x, instance->run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
         instance->held.stopped = instance->held.stopped || status == LAG_STOPPED;
+        lag_instance_tie(instance);
         status = disarm(instance);
     }
     return status == LAG_OK ? lag_run_count_turns(instance->run, instance->held.t, instance->x) : status;
@@ -210,7 +211,6 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     int flies = !held->exchanged;
     instance->values.known = 0;
     held->jumped = 1;
-    held->tied = 0;
     lag_fill(located ? 0 : count, 0.0, run->half.pending);
     /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
     lag_status status = held->exchanged ? find_left(instance, t, run->half.pending, &flies) : LAG_OK;

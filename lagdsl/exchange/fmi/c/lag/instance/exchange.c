@@ -22,10 +22,9 @@ static double terms(const lag_fmu *fmu, size_t i, const double *values)
 void lag_instance_tie(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
-    for (size_t i = 0; i < fmu->dependents.count && !instance->held.tied; ++i) {
+    for (size_t i = 0; i < fmu->dependents.count; ++i) {
         instance->offsets[i] = instance->x[fmu->dependents.coordinates[i]] - terms(fmu, i, instance->x);
     }
-    instance->held.tied = 1;
 }
 
 void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, double *x)
@@ -56,7 +55,6 @@ void lag_instance_set_time(lag_instance *instance, double t)
 
 void lag_instance_set_states(lag_instance *instance, const double *x)
 {
-    lag_instance_tie(instance);
     for (size_t i = 0; i < instance->fmu->states.count; ++i) {
         instance->x[instance->fmu->states.entries[i]] = x[i];
     }

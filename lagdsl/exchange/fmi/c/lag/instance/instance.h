@@ -3,7 +3,7 @@
  * the order of calls, which are in fmi2.c and fmi3.c.
  *
  * All state lies in the one block that the caller gives; copying it (lag_instance_save) is rollback. No function allocates or
- * calls back but for `report`. A status other than LAG_OK comes with `message`.
+ * calls back. A status other than LAG_OK comes with `message`.
  */
 #ifndef LAG_INSTANCE_H
 #define LAG_INSTANCE_H

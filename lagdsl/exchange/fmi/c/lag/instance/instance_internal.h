@@ -39,7 +39,6 @@ typedef struct lag_held {
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
     int jumped;             /* something was set since the motion went on: rates are others */
-    int tied;               /* `offsets` belong to the present state */
     int stopped;            /* the model has ended the simulation */
 } lag_held;
 
@@ -96,9 +95,9 @@ void lag_instance_renew(lag_instance *instance);
 
 /* ---- exchange.c ---- */
 
-/* Offsets of dependent coordinates at the present state, unless they are known. */
+/* Offsets of dependent coordinates, those at the present state: behind an event. */
 void lag_instance_tie(lag_instance *instance);
-/* Dependent entries of x (2 nq + nz) follow from the states, before whose change lag_instance_tie() comes; without offsets x is a direction. */
+/* Dependent entries of x (2 nq + nz) follow from the states; without offsets x is a direction. */
 void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, double *x);
 
 /* ---- instance_messages.c ---- */

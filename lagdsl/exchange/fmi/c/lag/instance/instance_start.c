@@ -118,7 +118,7 @@ lag_status lag_instance_begin_at(lag_instance *instance)
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
     lag_turns_clear(&run->turns);
-    held->stopped = held->tied = 0;
+    held->stopped = 0;
     held->left_at = run->counts.begun = held->t;
     held->left_for = 0.0;
     held->implicit = -1;

@@ -115,27 +115,22 @@ static lag_status find(lag_instance *instance, unsigned role)
     }
 }
 
-/* They are known from now on. Indicators have accelerations of their own, and only one kind of derivatives is kept. */
-static lag_status let_know(lag_instance *instance, unsigned role)
-{
-    const unsigned kinds = 1U << LAG_DERIVATIVES | 1U << LAG_PULLED;
-    const lag_status status = lag_instance_judge(instance, find(instance, role));
-    instance->values.known &= ~(role == LAG_ROLE_INDICATOR ? 1U << LAG_ROLE_MULTIPLIER : role >= LAG_ROLES ? kinds : 0);
-    instance->values.known |= status == LAG_OK ? 1U << role : 0;
-    return status;
-}
-
+/* Indicators have accelerations of their own, and only one kind of derivatives is kept. */
 lag_status lag_instance_evaluate(lag_instance *instance, unsigned role)
 {
     const lag_model *model = instance->fmu->model;
-    const unsigned *known = &instance->values.known;
-    lag_status status = lag_instance_ready(instance);
+    const unsigned kinds = 1U << LAG_DERIVATIVES | 1U << LAG_PULLED;
     /* pulled accelerations need those of the model only where loads follow from these */
-    const int needs_motion = role != LAG_ROLE_DERIVATIVE || model->nc == 0 || model->nz + model->nload > 0;
-    if (status == LAG_OK && (*known & 1U << role) == 0 && needs_motion && (*known & 1U << LAG_ROLE_MULTIPLIER) == 0) {
-        status = let_know(instance, LAG_ROLE_MULTIPLIER);
+    const int needs_motion = role != LAG_ROLE_MULTIPLIER && (role != LAG_ROLE_DERIVATIVE || model->nc == 0 || model->nz + model->nload > 0);
+    lag_status status = lag_instance_ready(instance);
+    if (status != LAG_OK || (instance->values.known & 1U << role) != 0) {
+        return status;
     }
-    return status == LAG_OK && (*known & 1U << role) == 0 ? let_know(instance, role) : status;
+    status = needs_motion ? lag_instance_evaluate(instance, LAG_ROLE_MULTIPLIER) : LAG_OK;
+    status = status == LAG_OK ? lag_instance_judge(instance, find(instance, role)) : status;
+    instance->values.known &= ~(role == LAG_ROLE_INDICATOR ? 1U << LAG_ROLE_MULTIPLIER : role >= LAG_ROLES ? kinds : 0);
+    instance->values.known |= status == LAG_OK ? 1U << role : 0;
+    return status;
 }
 
 lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
@@ -180,30 +175,18 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
     return role == LAG_ROLE_MULTIPLIER && instance->fmu->row_factors != NULL ? instance->fmu->row_factors[index] : 1.0;
 }
 
-static double value_of(const lag_instance *instance, const lag_variable *variable, size_t i)
-{
-    const lag_role role = (lag_role)variable->role;
-    return instance->values.of[role][variable->first + i] * lag_instance_factor(instance, role, variable->first + i);
-}
-
-static lag_status look(lag_instance *instance, const lag_variable *variable)
-{
-    const lag_role role = (lag_role)variable->role;
-    const int plain = role == LAG_ROLE_TIME || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_OPTION || role == LAG_ROLE_PARAMETER;
-    const int held = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
-    const lag_status status = held ? lag_instance_ready(instance) : plain ? LAG_OK : lag_instance_evaluate(instance, role);
-    if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->run->motion.inputs != NULL) {
-        lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
-    }
-    return status;
-}
-
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
 {
     const lag_variable *which = &instance->fmu->variables[variable];
-    const lag_status status = look(instance, which);
+    const lag_role role = (lag_role)which->role;
+    const int plain = role == LAG_ROLE_TIME || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_OPTION || role == LAG_ROLE_PARAMETER;
+    const int held = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
+    const lag_status status = held ? lag_instance_ready(instance) : plain ? LAG_OK : lag_instance_evaluate(instance, role);
+    if (role == LAG_ROLE_INPUT) { /* the motion may have looked at them elsewhere in time */
+        lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
+    }
     for (size_t i = 0; i < which->count && status == LAG_OK; ++i) {
-        values[i] = value_of(instance, which, i);
+        values[i] = instance->values.of[role][which->first + i] * lag_instance_factor(instance, role, which->first + i);
     }
     return status == LAG_OK ? check_found(instance, which, values) : status;
 }
@@ -226,7 +209,6 @@ static int put_states(lag_instance *instance, const lag_variable *variable, cons
 {
     int changed = 0;
     if (instance->held.moving) {
-        lag_instance_tie(instance);
         changed = put(variable->count, values, instance->x + variable->first);
         lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
         return changed;
