@@ -40,14 +40,6 @@ static lag_status deliver(lag_instance *instance, double t)
     return status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;
 }
 
-/* Latest time at which a step may end on the way to `end`. */
-static double farthest(const lag_instance *instance, double end, int jumped)
-{
-    const double stop = instance->held.stop;
-    const double far = stop < (double)INFINITY ? stop : end + AHEAD * (end - instance->held.t);
-    return jumped || end >= stop ? end : far;
-}
-
 /* One step of the integrator; where it fails beyond `end`, one that stays before. */
 static lag_status step(lag_instance *instance, double end, double *far)
 {
@@ -129,7 +121,8 @@ lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_pr
     lag_status status = lag_instance_begin(instance);
     /* times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost */
     const double end = lag_instants_same(&run->instants, held->t + h);
-    const double far = farthest(instance, end, held->jumped);
+    const double stop = held->stop < (double)INFINITY ? held->stop : end + AHEAD * (end - held->t);
+    const double far = held->jumped ? end : fmax(end, stop); /* the latest time at which a step may end */
     *told = (lag_progress){.t = held->t};
     /* after the importer has set a value, the run goes back to the communication point, and on from there */
     if (status == LAG_OK && held->jumped && !held->stopped) {

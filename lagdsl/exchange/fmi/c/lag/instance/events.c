@@ -40,13 +40,6 @@ static int is_false(const lag_instance *instance, size_t i)
     return i < instance->fmu->model->nindicator && run->motion.w[run->guards.places.relation + i] == 0.0;
 }
 
-/* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
-static int changes_at_zero(const lag_instance *instance, size_t i)
-{
-    const lag_model *model = instance->fmu->model;
-    return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
-}
-
 /* Guards that are off are infinite; FMI wants numbers. */
 static double value_of(const lag_instance *instance, size_t i)
 {
@@ -74,10 +67,12 @@ static int is_armed(const lag_instance *instance, size_t i)
 /* The way of guard i until it leaves; negative: it has left. */
 static double distance_to_leave(const lag_instance *instance, size_t i)
 {
+    const lag_model *model = instance->fmu->model;
     const double sigma = round_off(instance, i);
+    const int at_zero = i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0); /* `>=` that does not hold, `>` that does */
     const double before = lag_guards_touches(&instance->run->guards, i) ? dead_band(instance, i) : 0.0;
     const double behind = is_armed(instance, i) ? -before : instance->latched[i];
-    return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
+    return value_of(instance, i) + behind + (at_zero ? -EARLY * sigma : sigma);
 }
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
