@@ -91,7 +91,7 @@ def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
 
 
 def _dependent_coordinates(table: Table) -> dict[str, tuple[str, list[str]]]:
-    """How entries of x that are no states follow from those that are."""
+    """Entries of x that are no states, and the terms by which they follow."""
     firsts, terms = [0], list[tuple[int, float]]()
     for each in table.dependent:
         terms += each.terms

@@ -69,7 +69,7 @@ static lag_status follow_parameters(lag_instance *instance)
 
 /* ---- what changes ---- */
 
-/* What tells it for all variables of a role; null: `derivatives` have it. */
+/* Functions that tell it for all variables of a role; null: `derivatives` have it. */
 static lag_status (*const FOLLOWING[LAG_ROLES])(lag_derivatives *, double *) = {
     [LAG_ROLE_DERIVATIVE] = lag_derivatives_rates,
     [LAG_ROLE_OUTPUT] = lag_derivatives_outputs,

@@ -70,7 +70,7 @@ static size_t own_size(const lag_fmu *fmu)
     return lag_padded(sizeof(lag_instance)) + lag_padded(of.count * sizeof(double));
 }
 
-/* What a `terminate` says is the message of the end; warnings are kept. */
+/* The words of a `terminate` are the message of the end; warnings are kept. */
 static lag_status record_event(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;

@@ -1,5 +1,5 @@
 /*
- * Values of variables: where each of them stands, and what follows when it is set. Those that follow from the present state are computed on
+ * Values of variables: where each of them stands, and what follows when it is set. Values that follow from the present state are computed on
  * demand, and kept until a value is set.
  */
 #include "lag/instance/instance_internal.h"
