@@ -47,7 +47,7 @@ BANNED = {
     "rarely": "cold",
     "courses": "inputs",
     "faults": "messages",
-    "observing": "lazy_evaluation",
+    "observing": "variables",
     "slopes": "directional_derivatives",
     "moving": "continuous_states",
     "knowledge": "parameter_use",

@@ -15,12 +15,14 @@ from lagdsl.derivation.structure.names import contact_rows
 from lagdsl.documents.page.packed import packed_form, packed_meshes
 from lagdsl.documents.plot.picture.recording import Recording, staged
 from lagdsl.documents.plot.picture.wishes import Wishes
-from lagdsl.engines.runtime.structures import WHAT, Status
+from lagdsl.engines.runtime.structures import WHAT
+from lagdsl.engines.runtime.words import WORDS
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
 from lagdsl.foundation.version import __version__
 from lagdsl.language.flat.display import Display, display, drawn_rate
-from lagdsl.language.flat.events import Contact, Friction, entries
+from lagdsl.language.flat.event_flow import branches
+from lagdsl.language.flat.events import Check, Contact, Friction, Reset, entries
 from lagdsl.language.flat.model import FlatModel, Input, Parameter
 from lagdsl.language.flat.quantity import Spans, is_angle
 from lagdsl.language.settings.aliases import other_names
@@ -29,32 +31,6 @@ from lagdsl.motion.signals.trajectory import Trajectory
 from lagdsl.motion.simulate.table import event_names
 
 _NONE: Mapping[int, int] = {}
-WORDS = {
-    Status.SINGULAR: "The equations do not determine all accelerations here: `{coordinates}` moves no mass.",
-    Status.NOT_FINITE: "A value is infinite or not a number.",
-    Status.STEP_TOO_SMALL: "The steps became as short as the round-off of time: the motion runs into a singularity.",
-    Status.PROJECTION_FAILED: "No state satisfies the constraints and start values: `{rows}` is farthest off.",
-    Status.VIOLATED: "An assertion failed or an invariant left its tolerance.",
-    Status.STOPPED: "The model ended the run.",
-    Status.CHATTER: "Events of `{entries}` follow each other without time passing.",
-    Status.EVENT_ITERATION_FAILED: "The clauses trigger each other and never come to rest: `{entries}`.",
-    Status.CONFLICT: "Two clauses set one quantity to different values at one instant.",
-    Status.ASSERTION_FAILED: "An assertion of a clause failed.",
-    Status.PENETRATION: "Two bodies that touch are inside each other at `{entries}`.",
-    Status.POSITION_JUMP: "`{rows}`, which an event switches on, asks for other positions than there are.",
-    Status.WAY_JUMP: "The position of a mass would jump by `{entries}`.",
-    Status.NO_FORCES: "No forces satisfy the law of friction: it wedges.",
-    Status.MOMENTUM_UNREACHABLE: "No rates of `{coordinates}` have the momentum or the energy that an event leaves.",
-    Status.BRANCH_POINT: "Branches of the motion meet here by `{rows}`; the equations do not tell which one it takes.",
-    Status.BAD_CLOCK: "A clock has no positive period.",
-    Status.BAD_DELAY: "A delay is not positive.",
-    Status.GRAZING: "Something only touches its border: its time has no derivative.",
-    Status.NOT_SMOOTH: "Motions beside this one end in other modes: there is no derivative.",
-    Status.LONG_PAST: "The past of a delayed value has too many events.",
-}
-"""Why a run ended, in short: the page has the status of the runtime, the time and what is to blame, by name for braces,
-not the state to explain it by."""
-
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | str | float | bool | None"
 
 
@@ -77,6 +53,7 @@ def head_of(
     quantities = (*model.coordinates, *model.states, *model.events.discretes, *model.outputs)
     docs = {item.name: item.doc for item in quantities}
     named = event_names(living.flat, engine.layout)
+    actions = [action for branch in branches(living.flat) for action in branch.actions]
     for name, others in other_names(model).items():
         docs[name] = "; ".join(filter(None, (docs.get(name), f"also {', '.join(others)}")))
     return {
@@ -113,6 +90,10 @@ def head_of(
             "entries": [e.item.name if isinstance(e.item, _NAMED) else e.name for e in entries(living.flat.events)],
             "rows": [slot.name for slot in engine.layout.constraints],
             "coordinates": [coordinate.name for coordinate in model.coordinates],
+            "conditions": [item.message for item in model.assertions] + [item.name for item in model.invariants],
+            "resets": [action.name for action in actions if isinstance(action, Reset)],
+            "checks": [action.message for action in actions if isinstance(action, Check)],
+            "frictions": [", ".join(friction.name for friction in model.events.frictions)],
         },
         "event_names": [{"kind": kind, "names": list(named.get(kind, ()))} for kind in WHAT],
     }

@@ -19,7 +19,8 @@ from lagdsl.derivation.program.functions import FUNCTIONS, SOLVED, SOLVED_DIRECT
 from lagdsl.engines.backends.tape.instructions import GROUPS
 from lagdsl.engines.runtime.headers import structures_text
 from lagdsl.engines.runtime.units import unit_texts
-from lagdsl.foundation.resources import c_folder
+from lagdsl.engines.runtime.words import words_text
+from lagdsl.foundation.resources import c_folder, fmi_folder
 
 STRUCTURES = Path(__file__).with_name("structures.py")
 _FIRST = "/* ---- the functions, generated ---- */\n"
@@ -28,7 +29,7 @@ _WIDTH = 132
 
 
 def texts() -> dict[Path, str]:
-    """The written files with the present sections, by path."""
+    """The written files with the present sections, and a header that is written as a whole, by path."""
     sections = {
         "lag/model.h": ("    ", members()),
         "lag/evaluate.h": ("    ", enumerators()),
@@ -36,7 +37,8 @@ def texts() -> dict[Path, str]:
         "lag/tape/tape_check.c": ("    ", tape_signatures()),
         "lag/tape/tape_functions.c": ("", tape_functions()),
     }
-    return {c_folder() / name: _with(c_folder() / name, *section) for name, section in sections.items()}
+    written = {c_folder() / name: _with(c_folder() / name, *section) for name, section in sections.items()}
+    return {**written, fmi_folder() / "lag/words.h": words_text()}
 
 
 def members() -> str:

@@ -194,6 +194,14 @@ def test_values_out_of_range_are_errors(version: int, capsys: pytest.CaptureFixt
     assert "mode is from 1 to 3, not 0" in refused(fmu, {"mode": 0}, capsys)
 
 
+def test_one_call_sets_all_or_nothing() -> None:
+    fmu = exported(NAME, 2)
+    with slave(fmu) as one:
+        with pytest.raises(FMICallException):
+            one.raw.setInteger([fmu.variables[name].valueReference for name in ("gear", "mode")], [3, 0])
+        assert one.get("gear") == 2
+
+
 def test_step_mode_with_event_mode_takes_continuous_inputs_only(capsys: pytest.CaptureFixture[str]) -> None:
     with slave(exported(NAME, 3), event_mode_used=True) as one:
         one.initialize()

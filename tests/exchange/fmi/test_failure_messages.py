@@ -46,7 +46,7 @@ def test_a_state_that_would_move_a_mass_is_named(
     export_text(CARRIED.format(clause=clause), path)
     with pytest.raises(Exception, match="failed with status"):
         simulate_fmu(str(path), fmi_type=kind, stop_time=3.0)
-    assert "t = 1 s: the position of a mass would jump with p\n" in capsys.readouterr().out
+    assert "t = 1 s: The position of a mass would jump by `p`.\n" in capsys.readouterr().out
 
 
 def test_friction_that_wedges_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -54,4 +54,4 @@ def test_friction_that_wedges_is_named(tmp_path: Path, capsys: pytest.CaptureFix
     export_text(ROD, path)
     with pytest.raises(Exception, match="failed with status"):
         simulate_fmu(str(path), fmi_type="ModelExchange", stop_time=1.0)
-    assert "t = 0 s: no forces satisfy the law of friction of tip.friction: it wedges\n" in capsys.readouterr().out
+    assert "t = 0 s: No forces satisfy the law of friction of `tip.friction`: it wedges.\n" in capsys.readouterr().out

@@ -55,7 +55,7 @@ def _interfaces(root: Element, table: Table, identifier: str, source_files: Sequ
     simulation: dict[str, int] = {
         "canHandleVariableCommunicationStepSize": True,
         "canInterpolateInputs": True,
-        "maxOutputDerivativeOrder": 1,
+        "maxOutputDerivativeOrder": int(has_derivatives(table.program)),
     }
     interfaces: dict[str, tuple[str, dict[str, int]]] = {
         "me": ("ModelExchange", exchange),

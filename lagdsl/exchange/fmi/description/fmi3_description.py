@@ -66,7 +66,7 @@ def _interfaces(root: Element, table: Table, identifier: str) -> None:
         "me": {"needsCompletedIntegratorStep": needs_completed_steps(table)},
         "cs": {
             "canHandleVariableCommunicationStepSize": True,
-            "maxOutputDerivativeOrder": 1,
+            "maxOutputDerivativeOrder": int(has_derivatives(table.program)),
             "providesIntermediateUpdate": True,
             "mightReturnEarlyFromDoStep": events,
             "canReturnEarlyAfterIntermediateUpdate": True,

@@ -33,7 +33,8 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "lasting.rows": ("double", _numbers([float(flag) for flag in settings.lasting])),
         "parameter_range": ("lag_range", _ranges(table, Role.PARAMETER, len(table.program.layout.parameters))),
         "inputs.range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),
-        "held_relations": ("unsigned char", _held_relations(table)),
+        "indicators.entries": ("size_t", _indicators(table)),
+        "states.entries": ("size_t", _states(table)),
         "inputs.rates": ("size_t", _input_rates(flat)),
         "inputs.continuous": ("unsigned char", _continuous_inputs(table)),
         "invariant_limits": ("double", _numbers([invariant.tolerance or 0.0 for invariant in flat.invariants])),
@@ -55,7 +56,7 @@ def table_source(table: Table, stem: str, token: str) -> str:
         f".lasting.general = {settings.general}",
         *(
             f".{member.partition('.')[0]}.count = {len(tables[member][1])}"
-            for member in ("states.entries", "dependents.coordinates")
+            for member in ("indicators.entries", "states.entries", "dependents.coordinates")
             if member in tables
         ),
         f".kinds = {' | '.join(_KINDS[kind] for kind in table.kinds)}",
@@ -90,15 +91,12 @@ def _dependencies(table: Table) -> dict[str, tuple[str, list[str]]]:
 
 
 def _dependent_coordinates(table: Table) -> dict[str, tuple[str, list[str]]]:
-    """The entries of x that are states, and how others follow from them."""
-    n, size = len(table.flat.coordinates), 2 * len(table.flat.coordinates) + len(table.flat.states)
-    follow = {each.place + first for each in table.dependent for first in (0, n)}
+    """Entries of x that are no states, and the terms by which they follow."""
     firsts, terms = [0], list[tuple[int, float]]()
     for each in table.dependent:
         terms += each.terms
         firsts.append(len(terms))
     return {
-        "states.entries": ("size_t", _counts([entry for entry in range(size) if entry not in follow])),
         "dependents.coordinates": ("size_t", _counts([each.place for each in table.dependent])),
         "dependents.term_first": ("size_t", _counts(firsts)),
         "dependents.term_of": ("size_t", _counts([other for other, _ in terms])),
@@ -126,9 +124,18 @@ def _ranges(table: Table, role: Role, count: int) -> list[str]:
     return [f"{{{number(low)}, {number(high)}}}" for low, high in ranges] if bounded else []
 
 
-def _held_relations(table: Table) -> list[str]:
-    held = held_relations(table.flat, table.program)
-    return _flags(held) if any(held) else []
+def _states(table: Table) -> list[str]:
+    """Entries of x that importers integrate."""
+    n = len(table.flat.coordinates)
+    follow = {each.place + first for each in table.dependent for first in (0, n)}
+    return _counts([entry for entry in range(2 * n + len(table.flat.states)) if entry not in follow])
+
+
+def _indicators(table: Table) -> list[str]:
+    """Guards that are event indicators; behind relations stand contacts and dry friction."""
+    events = table.flat.events
+    held = (*held_relations(table.flat, table.program), *[False] * (len(events.contacts) + len(events.frictions)))
+    return _counts([guard for guard, is_held in enumerate(held) if not is_held])
 
 
 def _input_rates(flat: FlatModel) -> list[str]:

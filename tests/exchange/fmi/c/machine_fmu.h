@@ -28,6 +28,7 @@ static const double MACH_GROUP[MACH_SIZE] = {0.0, 0.0, 1.0, 1.0, 2.0};
 static const double MACH_CAPS[MACH_SIZE] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 static const double MACH_ROWS[1] = {1.0};
 static const double MACH_LASTING[1] = {0.0}; /* the contact comes and goes */
+static const size_t MACH_ENTRIES[MACH_SIZE] = {0, 1, 2, 3, 4};
 static const lag_start MACH_START = {.t = 0.0};
 
 static const lag_fmu MACH_FMU = {
@@ -39,6 +40,8 @@ static const lag_fmu MACH_FMU = {
     .experiment = {0.0, 2.0, 1e-9},
     .sizes = {MACH_GROUP, MACH_SIZES, MACH_CAPS, MACH_ROWS},
     .lasting.rows = MACH_LASTING,
+    .indicators = {2, MACH_ENTRIES},
+    .states = {MACH_SIZE, MACH_ENTRIES},
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

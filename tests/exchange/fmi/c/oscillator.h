@@ -42,6 +42,14 @@ static inline lag_status osc_dynamics(const lag_arguments *at, double *mass, dou
     return LAG_OK;
 }
 
+static inline lag_status osc_no_rows(const lag_arguments *at, double *rows, double *jacobian)
+{
+    (void)at;
+    (void)rows;
+    (void)jacobian;
+    return LAG_OK;
+}
+
 static inline lag_status osc_rates(const lag_arguments *at, double *rates)
 {
     rates[0] = -at->z[0];
@@ -65,6 +73,26 @@ static inline lag_status osc_output(const lag_arguments *at, double *y)
 {
     y[0] = at->q[0];
     y[1] = at->qdd[0];
+    return LAG_OK;
+}
+
+static inline lag_status osc_output_tangent(const lag_arguments *at, double *y)
+{
+    y[0] = at->dq[0];
+    y[1] = at->dqdd[0];
+    return LAG_OK;
+}
+
+/* Nothing changes with time alone. */
+static inline lag_status osc_time_tangent(const lag_arguments *at, double *motion, double *rows, double *phi, double *residual, double *rates,
+    double *y, double *total, double *kinetic, double *potential, double *jacobi, double *d)
+{
+    (void)at;
+    (void)rows;
+    (void)phi;
+    (void)residual;
+    (void)d;
+    motion[0] = rates[0] = y[0] = y[1] = *total = *kinetic = *potential = *jacobi = 0.0;
     return LAG_OK;
 }
 
@@ -109,12 +137,16 @@ static const lag_model OSC = {
     .defaults = OSC_DEFAULTS,
     .prepare = osc_prepare,
     .start = osc_start,
+    .position_constraint = osc_no_rows,
+    .velocity_constraint = osc_no_rows,
     .mass_matrix = osc_mass,
     .dynamics = osc_dynamics,
     .residual_tangent = osc_residual_tangent,
     .state_derivative = osc_rates,
     .state_derivative_tangent = osc_rates_tangent,
     .output = osc_output,
+    .output_tangent = osc_output_tangent,
+    .time_tangent = osc_time_tangent,
     .energies = osc_energies,
     .monitor = osc_monitor,
 };
@@ -136,6 +168,7 @@ static const lag_variable OSC_TABLE[OSC_VARIABLES] = {
     {LAG_ROLE_OUTPUT, LAG_TYPE_REAL, LAG_SET_NEVER, 0, 2, "v13"},
 };
 static const double OSC_STATE[3] = {1.0, 0.0, 1.0};
+static const size_t OSC_ENTRIES[3] = {0, 1, 2};
 static const lag_start OSC_START = {.t = 0.0, .x = OSC_STATE};
 static const double OSC_GROUP[3] = {0.0, 1.0, 2.0};
 static const double OSC_SIZES[3] = {1.0, 1.0, 1.0};
@@ -150,6 +183,7 @@ static const lag_fmu OSC_FMU = {
     .nominal = OSC_SIZES,
     .experiment = {0.0, 10.0, 1e-9},
     .sizes = {OSC_GROUP, OSC_SIZES, OSC_CAPS, NULL},
+    .states = {3, OSC_ENTRIES},
     .kinds = LAG_MODEL_EXCHANGE | LAG_CO_SIMULATION,
 };
 

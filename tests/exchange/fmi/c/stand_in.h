@@ -58,6 +58,7 @@ static const lag_variable stand_in_variables[V_VARIABLES] = {
 };
 static const char *const stand_in_texts[] = {"50 % of #1"};
 static const double stand_in_nominal[2] = {2.0, 3.0};
+static const size_t stand_in_entries[2] = {0, 1};
 static const size_t stand_in_first[V_VARIABLES + 1] = {0, 0, 0, 0, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3};
 static const lag_dependency stand_in_dependencies[3] = {
     {1, V_Q, 1, LAG_DEPENDENCE_FIXED},
@@ -77,6 +78,8 @@ const lag_fmu lag_exported = {
     .experiment = {.stop = 1.0, .tolerance = 1e-6},
     .constants.texts = stand_in_texts,
     .kinds = STAND_IN_KINDS,
+    .indicators = {1, stand_in_entries},
+    .states = {2, stand_in_entries},
     .dependencies = {stand_in_first, stand_in_dependencies},
 };
 
@@ -196,17 +199,6 @@ void lag_instance_set_time(lag_instance *instance, double t)
     instance->held.t = t;
 }
 
-size_t lag_instance_state_count(const lag_fmu *fmu)
-{
-    return 2 * fmu->model->nq + fmu->model->nz;
-}
-
-size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i)
-{
-    (void)fmu;
-    return i;
-}
-
 void lag_instance_set_states(lag_instance *instance, const double *x)
 {
     memcpy(instance->held.x, x, sizeof instance->held.x);
@@ -221,12 +213,6 @@ lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
     xd[0] = instance->held.x[1];
     return lag_instance_get(instance, V_QDD, &xd[1]);
-}
-
-size_t lag_instance_indicator_count(const lag_fmu *fmu)
-{
-    (void)fmu;
-    return 1;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
@@ -314,27 +300,17 @@ static double stand_in_slope(const lag_instance *instance, size_t unknown, size_
     return unknown == known ? 1.0 : 0.0;
 }
 
-lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
-    for (size_t i = 0; i < unknowns; ++i) {
+    for (size_t i = 0; i < (adjoint ? knowns : unknowns); ++i) {
         sensitivity[i] = 0.0;
+    }
+    for (size_t i = 0; i < unknowns; ++i) {
         for (size_t k = 0; k < knowns; ++k) {
             const int same = unknown[i].variable != known[k].variable || unknown[i].element == known[k].element;
-            sensitivity[i] += same ? stand_in_slope(instance, unknown[i].variable, known[k].variable) * seed[k] : 0.0;
-        }
-    }
-    return LAG_OK;
-}
-
-lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
-    size_t knowns, const double *seed, double *sensitivity)
-{
-    for (size_t k = 0; k < knowns; ++k) {
-        sensitivity[k] = 0.0;
-        for (size_t i = 0; i < unknowns; ++i) {
-            const int same = unknown[i].variable != known[k].variable || unknown[i].element == known[k].element;
-            sensitivity[k] += same ? stand_in_slope(instance, unknown[i].variable, known[k].variable) * seed[i] : 0.0;
+            const double slope = same ? stand_in_slope(instance, unknown[i].variable, known[k].variable) : 0.0;
+            sensitivity[adjoint ? k : i] += slope * seed[adjoint ? i : k];
         }
     }
     return LAG_OK;

@@ -20,7 +20,7 @@ typedef enum lag_role {
     LAG_ROLE_LOCAL,      /* dependent parameters, then definitions: what model->definition gives (nd) */
     LAG_ROLE_DISCRETE,   /* w (nw) */
     LAG_ROLE_MULTIPLIER, /* lam (nc) */
-    LAG_ROLE_INDICATOR,  /* event indicators (lag_instance_indicator_count()): see lag_instance_indicators() */
+    LAG_ROLE_INDICATOR,  /* event indicators: see lag_instance_indicators() */
     LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
     LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
     LAG_ROLE_OPTION,     /* see lag_option */
@@ -106,11 +106,11 @@ typedef struct lag_dependencies {
     const lag_dependency *entries;
 } lag_dependencies;
 
-/* Entries of x that importers integrate. */
-typedef struct lag_integrated {
+/* Entries of an array. */
+typedef struct lag_selection {
     size_t count;
-    const size_t *entries; /* (count) null: all of them */
-} lag_integrated;
+    const size_t *entries; /* (count) */
+} lag_selection;
 
 /*
  * Coordinates that follow from states: q[coordinates[i]] = sum of term_weight[k] q[term_of[k]] over term_first[i] <= k <
@@ -143,8 +143,8 @@ typedef struct lag_fmu {
     lag_dependencies dependencies;
     lag_input_kinds inputs;
     const lag_range *parameter_range; /* (np) null: any */
-    const unsigned char *held_relations; /* (nindicator) 1: only values that are set at events change it: no event indicator. Null: none */
-    lag_integrated states;
+    lag_selection indicators; /* guards (lag/events/guards.h) that are event indicators: not relations that only values set at events change */
+    lag_selection states;     /* entries of x that importers integrate */
     lag_dependents dependents;
 } lag_fmu;
 

@@ -1,5 +1,4 @@
 /* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
-#include "lag/derivatives.h"
 #include "lag/fixed.h"
 #include "lag/initial.h"
 #include "lag/instance/instance_internal.h"
@@ -10,6 +9,7 @@
 #include "lag/serialization.h"
 #include "lag/shell/handle.h"
 #include "lag/shell/shell.h"
+#include "lag/words.h"
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
@@ -20,16 +20,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lag/instance/clocks.c"
-
-#define begin cosimulation_begin
 #include "lag/instance/cosimulation.c"
-#undef begin
 
-#define find directional_find
 #define lay_out directional_lay_out
 #include "lag/instance/directional.c"
-#undef find
 #undef lay_out
 
 #include "lag/instance/events.c"
@@ -46,31 +40,13 @@
 #undef lay_out
 #undef take
 
-#define FAULTS instance_messages_FAULTS
-#define blamed instance_messages_blamed
 #define name_of instance_messages_name_of
 #include "lag/instance/instance_messages.c"
-#undef FAULTS
-#undef blamed
 #undef name_of
 
-#include "lag/instance/instance_serialization.c"
-
-#define FAULTS instance_start_FAULTS
-#define blamed instance_start_blamed
-#define find instance_start_find
 #define gather instance_start_gather
 #include "lag/instance/instance_start.c"
-#undef FAULTS
-#undef blamed
-#undef find
 #undef gather
-
-#define find lazy_evaluation_find
-#include "lag/instance/lazy_evaluation.c"
-#undef find
-
-#include "lag/instance/output_rates.c"
 
 #include "lag/instance/variables.c"
 
@@ -95,12 +71,10 @@
 
 #include "lag/shell/messages.c"
 
-#define begin shell_begin
 #define fault shell_fault
 #define name_of shell_name_of
 #define refuse shell_refuse
 #include "lag/shell/shell.c"
-#undef begin
 #undef fault
 #undef name_of
 #undef refuse

@@ -87,6 +87,6 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueR
     const fmi2ValueReference vKnown_ref[], size_t nKnown, const fmi2Real dvKnown[], fmi2Real dvUnknown[])
 {
     LAG_ENTER("GetDirectionalDerivative", LAG_MODES_KNOWN & LAG_MODES_LASTING)
-    return (fmi2Status)lag_shell_slopes(shell, lag_instance_directional, vUnknown_ref, nUnknown, vKnown_ref, nKnown, dvKnown, nKnown,
-        dvUnknown, nUnknown, 0);
+    return (fmi2Status)lag_shell_slopes(shell, 0, vUnknown_ref, nUnknown, vKnown_ref, nKnown, dvKnown, nKnown,
+        dvUnknown, nUnknown);
 }

@@ -9,7 +9,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
 {
     LAG_ENTER("GetDirectionalDerivative", EVALUABLE)
     return (fmi3Status)lag_shell_slopes(
-        shell, lag_instance_directional, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity, 0);
+        shell, 0, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);
 }
 
 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
@@ -18,7 +18,7 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueRefere
 {
     LAG_ENTER("GetAdjointDerivative", EVALUABLE)
     return (fmi3Status)lag_shell_slopes(
-        shell, lag_instance_adjoint, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity, 1);
+        shell, 1, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);
 }
 
 /* The dependencies of a variable; null, and told why, where there is no such variable or nothing is known. */

@@ -13,7 +13,7 @@ fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t *nEventI
 {
     LAG_ENTER_EXCHANGE("GetNumberOfEventIndicators", LAG_MODES_LASTING)
     LAG_NEEDS(nEventIndicators, "nEventIndicators")
-    *nEventIndicators = lag_instance_indicator_count(shell->fmu);
+    *nEventIndicators = shell->fmu->indicators.count;
     return fmi3OK;
 }
 

@@ -28,24 +28,16 @@ static lag_status deliver(lag_instance *instance, double t)
     lag_run *run = instance->run;
     lag_status status = run->half.open ? lag_run_keep_past(run, t) : LAG_OK; /* inputs may change from here on */
     if (run->stepper.t == t) {
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
     } else if (status == LAG_OK) {
         status = lag_run_inside(instance->run, t, instance->x);
     }
     instance->held.t = t;
     instance->values.known = 0;
-    if (status == LAG_OK && !lag_finite(lag_instance_order(instance), instance->x)) {
+    if (status == LAG_OK && !lag_finite(lag_motion_size(instance->fmu->model), instance->x)) {
         status = LAG_NOT_FINITE;
     }
     return status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;
-}
-
-/* Latest time at which a step may end on the way to `end`. */
-static double farthest(const lag_instance *instance, double end, int jumped)
-{
-    const double stop = instance->held.stop;
-    const double far = stop < (double)INFINITY ? stop : end + AHEAD * (end - instance->held.t);
-    return jumped || end >= stop ? end : far;
 }
 
 /* One step of the integrator; where it fails beyond `end`, one that stays before. */
@@ -85,32 +77,18 @@ static int stops_here(const lag_instance *instance, double end, int stops)
 static lag_status advance(lag_instance *instance, double end, double far, int stops, int *event)
 {
     lag_run *run = instance->run;
-    int going = reached(run) < end;
+    const int once = (stops & LAG_STOP_STEPS) != 0;
+    lag_status status = LAG_OK;
     *event = stops_here(instance, end, stops);
-    for (double k = 0.0; going && !*event; k += 1.0) {
-        lag_status status = k < LAG_MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
-        if (status == LAG_OK) {
-            status = step(instance, end, &far);
-        }
+    for (double k = 0.0; status == LAG_OK && !*event && reached(run) < end && !(once && k > 0.0); k += 1.0) {
+        status = k < LAG_MOST_STEPS ? finish(instance, far) : LAG_TOO_LONG;
+        status = status == LAG_OK ? step(instance, end, &far) : status;
         *event = status == LAG_OK && stops_here(instance, end, stops);
         if (status == LAG_OK && instance->fmu->model->nturn > 0 && reached(run) < end) {
             status = deliver(instance, reached(run));
         }
-        if (status != LAG_OK) {
-            return status;
-        }
-        going = reached(run) < end && (stops & LAG_STOP_STEPS) == 0;
     }
-    return deliver(instance, fmin(reached(run), end));
-}
-
-/* At the stop no step follows that would begin with what happens there: clocks tick, as at the end of a run. */
-static lag_status end_at_the_stop(lag_instance *instance)
-{
-    lag_run *run = instance->run;
-    lag_status status = finish(instance, run->stepper.t);
-    status = status == LAG_OK ? lag_run_ticks(run) : status;
-    return status == LAG_OK ? deliver(instance, run->stepper.t) : status;
+    return status == LAG_OK ? deliver(instance, fmin(reached(run), end)) : status;
 }
 
 /*
@@ -128,7 +106,7 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
         held->implicit = held->step * lag_stiffness_fastest(&run->methods.stiffness, &run->stepper) > STABLE;
     }
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
-        status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->scratch.fixed);
+        status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->scratch);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
         status = status == LAG_OK ? lag_instance_assert(instance, run->stepper.t, run->stepper.x) : status;
         status = status == LAG_OK ? deliver(instance, run->stepper.t) : status;
@@ -136,45 +114,40 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
     return status;
 }
 
-/* After the importer has set a value: the run goes back to the communication point, and on from there. */
-static lag_status begin(lag_instance *instance, double far)
-{
-    lag_held *held = &instance->held;
-    lag_status status = lag_instance_carry_out(instance);
-    status = status == LAG_OK && !held->stopped ? lag_run_restart(instance->run, far) : status;
-    held->jumped = status != LAG_OK;
-    return status;
-}
-
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
 {
     lag_held *held = &instance->held;
+    lag_run *run = instance->run;
     lag_status status = lag_instance_begin(instance);
-    status = status == LAG_OK ? lag_instance_ready(instance) : status;
     /* times of importers are sums: a tick at the end of a step has the inputs of the next one, whatever the sum has lost */
-    const double end = lag_instants_same(&instance->run->instants, held->t + h);
-    const double far = farthest(instance, end, held->jumped);
+    const double end = lag_instants_same(&run->instants, held->t + h);
+    const double stop = held->stop < (double)INFINITY ? held->stop : end + AHEAD * (end - held->t);
+    const double far = held->jumped ? end : fmax(end, stop); /* the latest time at which a step may end */
     *told = (lag_progress){.t = held->t};
-    if (held->jumped) {
-        lag_instance_chain_inputs(instance);
-    }
+    /* after the importer has set a value, the run goes back to the communication point, and on from there */
     if (status == LAG_OK && held->jumped && !held->stopped) {
+        lag_instance_chain_inputs(instance);
         status = lag_instance_follow_inputs(instance);
         if (status != LAG_OK) {
             return status;
         }
-        status = begin(instance, far);
+        status = lag_instance_carry_out(instance);
+        status = status == LAG_OK && !held->stopped ? lag_run_restart(run, far) : status;
+        held->jumped = status != LAG_OK;
     }
     if (status == LAG_OK && !held->stopped && end > held->t) {
         status = held->step > 0.0 ? advance_by_fixed_steps(instance, end) : advance(instance, end, far, stops, &told->event);
+        /* at the stop no step follows that would begin with what happens there: clocks tick, as at the end of a run */
         if (status == LAG_OK && !told->event && held->t == end && end + LAG_SAME_TICK * h >= held->stop) {
-            status = end_at_the_stop(instance);
+            status = finish(instance, run->stepper.t);
+            status = status == LAG_OK ? lag_run_ticks(run) : status;
+            status = status == LAG_OK ? deliver(instance, run->stepper.t) : status;
         }
     }
     if (status != LAG_OK) {
-        const lag_status at = instance->run->stepper.t <= end ? deliver(instance, instance->run->stepper.t) : LAG_OK;
+        const lag_status at = run->stepper.t <= end ? deliver(instance, run->stepper.t) : LAG_OK;
         held->jumped = 1;
-        lag_instance_note_stop(instance, status);
+        held->stopped = held->stopped || status == LAG_STOPPED;
         status = status == LAG_STOPPED ? at : status;
     }
     told->t = held->t;

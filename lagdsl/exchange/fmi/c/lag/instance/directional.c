@@ -1,10 +1,12 @@
 /*
  * Derivatives of variables, exact: a direction of the knowns, and how everything changes along it. Relations and contacts are held. Adjoint
- * ones are the same, known by known. Only where constraints decide about the start it takes differences (instance_start.c).
+ * ones are the same, known by known; those in time are along the motion. Only where constraints decide about the start it takes differences
+ * (instance_start.c).
  */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "lag/linalg/arena.h"
 
@@ -14,18 +16,12 @@ typedef struct changes {
     unsigned known; /* one bit for each role */
 } changes;
 
-size_t lag_instance_slopes(const lag_model *model)
-{
-    const size_t after = lag_motion_size(model) + model->ny + model->nd + 3;
-    return lag_larger(after, lag_instance_start_slopes_memory(model));
-}
-
 static changes lay_out(lag_instance *instance)
 {
     const lag_model *model = instance->fmu->model;
     const size_t size = lag_motion_size(model);
     lag_derivatives *d = &instance->derivatives;
-    double *memory = instance->scratch.slopes;
+    double *memory = instance->scratch;
     changes to = {.known = 0};
     to.of[LAG_ROLE_TIME] = &d->time;
     to.of[LAG_ROLE_STATE] = to.of[LAG_ROLE_DEPENDENT] = d->x;
@@ -44,7 +40,7 @@ static changes lay_out(lag_instance *instance)
 static int is_known(const lag_instance *instance, lag_role role)
 {
     return role == LAG_ROLE_TIME || role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_PARAMETER ||
-           (role == LAG_ROLE_DEPENDENT && instance->held.phase == LAG_PHASE_START);
+           (role == LAG_ROLE_DEPENDENT && !instance->held.moving);
 }
 
 /* Until initialization ends, states and inputs that were not set follow the parameters, as far as constraints let them. */
@@ -54,7 +50,7 @@ static lag_status follow_parameters(lag_instance *instance)
     lag_derivatives *d = &instance->derivatives;
     const size_t n = model->nq;
     const size_t size = lag_motion_size(model);
-    double *starts = instance->scratch.slopes;
+    double *starts = instance->scratch;
     if (model->start_tangent == NULL) {
         return LAG_MISSING;
     }
@@ -73,26 +69,13 @@ static lag_status follow_parameters(lag_instance *instance)
 
 /* ---- what changes ---- */
 
-static lag_status find(lag_instance *instance, changes *to, lag_role role)
-{
-    lag_derivatives *d = &instance->derivatives;
-    if ((to->known & 1U << role) != 0) {
-        return LAG_OK;
-    }
-    to->known |= 1U << role;
-    switch (role) {
-    case LAG_ROLE_DERIVATIVE:
-        return lag_derivatives_rates(d, to->of[role]);
-    case LAG_ROLE_OUTPUT:
-        return lag_derivatives_outputs(d, to->of[role]);
-    case LAG_ROLE_LOCAL:
-        return lag_derivatives_definitions(d, to->of[role]);
-    case LAG_ROLE_ENERGY:
-        return lag_derivatives_energies(d, to->of[role]);
-    default:
-        return LAG_OK;
-    }
-}
+/* Functions that tell it for all variables of a role; null: `derivatives` have it. */
+static lag_status (*const FOLLOWING[LAG_ROLES])(lag_derivatives *, double *) = {
+    [LAG_ROLE_DERIVATIVE] = lag_derivatives_rates,
+    [LAG_ROLE_OUTPUT] = lag_derivatives_outputs,
+    [LAG_ROLE_LOCAL] = lag_derivatives_definitions,
+    [LAG_ROLE_ENERGY] = lag_derivatives_energies,
+};
 
 /* Change of one unknown. */
 static lag_status change(lag_instance *instance, changes *to, const lag_known *unknown, double *value)
@@ -103,7 +86,11 @@ static lag_status change(lag_instance *instance, changes *to, const lag_known *u
     if (to->of[role] == NULL) {
         return lag_instance_fail(instance, LAG_MISSING, "%s has no derivatives", variable->name);
     }
-    lag_status status = find(instance, to, role);
+    lag_status status = LAG_OK;
+    if (FOLLOWING[role] != NULL && (to->known & 1U << role) == 0) {
+        status = FOLLOWING[role](&instance->derivatives, to->of[role]);
+        to->known |= 1U << role;
+    }
     *value = to->of[role][index] * lag_instance_factor(instance, role, index);
     status = status == LAG_OK && !isfinite(*value) ? LAG_NOT_FINITE : status;
     return lag_instance_judge(instance, status);
@@ -125,7 +112,7 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
 {
     const lag_model *model = instance->fmu->model;
     lag_derivatives *d = &instance->derivatives;
-    lag_status status = lag_instance_evaluate(instance, pulled ? LAG_KNOWN_PULLED : LAG_KNOWN_DERIVATIVES);
+    lag_status status = lag_instance_evaluate(instance, pulled ? LAG_PULLED : LAG_DERIVATIVES);
     lag_fill(lag_motion_size(model) + model->nu + model->np, 0.0, d->x);
     d->time = 0.0;
     for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
@@ -138,7 +125,7 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
     if (status != LAG_OK) {
         return status;
     }
-    if (instance->held.phase == LAG_PHASE_MOTION) {
+    if (instance->held.moving) {
         lag_instance_follow_states(instance->fmu, NULL, d->x);
     } else {
         status = follow_parameters(instance);
@@ -146,49 +133,49 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
     return lag_instance_judge(instance, status == LAG_OK ? lag_derivatives_along(d) : status);
 }
 
-/*
- * Changes of the unknowns of one kind along a direction, into `result` (unknowns); with weights (unknowns), their weighted sum is added to the one
- * number there.
- */
-static lag_status follow(lag_instance *instance, int pulled, const lag_known *unknown, size_t unknowns, const lag_known *known, size_t knowns,
-    const double *seed, const double *weight, double *result)
-{
-    changes to = lay_out(instance);
-    size_t first = 0;
-    while (first < unknowns && is_pulled(instance, &unknown[first]) != pulled) {
-        ++first;
-    }
-    lag_status status = first < unknowns ? set_direction(instance, &to, pulled, known, knowns, seed) : LAG_OK;
-    for (size_t i = first; i < unknowns && status == LAG_OK; ++i) {
-        double value = 0.0;
-        if (is_pulled(instance, &unknown[i]) == pulled) {
-            status = change(instance, &to, &unknown[i], &value);
-            *(weight != NULL ? result : result + i) = weight != NULL ? *result + weight[i] * value : value;
-        }
-    }
-    return status;
-}
-
-lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
-    size_t knowns, const double *seed, double *sensitivity)
-{
-    lag_status status = LAG_OK;
-    for (int pulled = 0; pulled < 2 && status == LAG_OK; ++pulled) {
-        status = follow(instance, pulled, unknown, unknowns, known, knowns, seed, NULL, sensitivity);
-    }
-    return status;
-}
-
-lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity)
 {
     static const double one = 1.0;
+    size_t of_kind[2] = {0, 0};
     lag_status status = LAG_OK;
-    lag_fill(knowns, 0.0, sensitivity);
+    for (size_t i = 0; i < unknowns; ++i) {
+        ++of_kind[is_pulled(instance, &unknown[i])];
+    }
+    lag_fill(adjoint ? knowns : unknowns, 0.0, sensitivity);
     for (int pulled = 0; pulled < 2; ++pulled) {
-        for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
-            status = follow(instance, pulled, unknown, unknowns, &known[k], 1, &one, seed, &sensitivity[k]);
+        const size_t directions = of_kind[pulled] == 0 ? 0 : adjoint ? knowns : 1;
+        for (size_t k = 0; k < directions && status == LAG_OK; ++k) {
+            changes to = lay_out(instance);
+            status = set_direction(instance, &to, pulled, known + k, adjoint ? 1 : knowns, adjoint ? &one : seed);
+            for (size_t i = 0; i < unknowns && status == LAG_OK; ++i) {
+                double value = 0.0;
+                status = is_pulled(instance, &unknown[i]) == pulled ? change(instance, &to, &unknown[i], &value) : LAG_OK;
+                sensitivity[adjoint ? k : i] += adjoint ? seed[i] * value : value;
+            }
         }
+    }
+    return status;
+}
+
+lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_derivatives *d = &instance->derivatives;
+    const size_t size = lag_motion_size(model);
+    changes to = lay_out(instance);
+    if (order != 1) {
+        return lag_instance_fail(instance, LAG_MISSING, "derivatives of outputs are known up to order 1");
+    }
+    lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
+    status = status == LAG_OK ? lag_instance_evaluate(instance, LAG_DERIVATIVES) : status;
+    memcpy(d->x, instance->values.xd, size * sizeof(double));
+    lag_instance_inputs_at(instance, 1, instance->held.t, d->x + size);
+    lag_fill(model->np, 0.0, d->x + size + model->nu);
+    d->time = 1.0;
+    status = status == LAG_OK ? lag_instance_judge(instance, lag_derivatives_along(d)) : status;
+    for (size_t i = 0; i < instance->fmu->variables[variable].count && status == LAG_OK; ++i) {
+        status = change(instance, &to, &(lag_known){variable, i}, &values[i]);
     }
     return status;
 }

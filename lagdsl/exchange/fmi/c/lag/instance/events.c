@@ -26,38 +26,18 @@ static const double TOGETHER = 4.0;
 static const double WIDER = 4.0;
 /* An instant that lies so many roundings of the time behind the present is now. */
 static const double ROUNDINGS = 64.0;
+/* A short time before the first step, as a part of the experiment. */
+static const double SHORT_TIME = 1e-6;
 /* Importers find events so late at most, as a part of the experiment. */
 static const double LATE = 1e-9;
 
 /* ---- indicators ---- */
-
-/* True for a relation that the motion does not change. */
-static int is_held(const lag_fmu *fmu, size_t i)
-{
-    return fmu->held_relations != NULL && i < fmu->model->nindicator && fmu->held_relations[i];
-}
-
-size_t lag_instance_indicator_count(const lag_fmu *fmu)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < lag_guard_count(fmu->model); ++i) {
-        count += !is_held(fmu, i);
-    }
-    return count;
-}
 
 /* True for a relation that does not hold now. */
 static int is_false(const lag_instance *instance, size_t i)
 {
     const lag_run *run = instance->run;
     return i < instance->fmu->model->nindicator && run->motion.w[run->motion.places.relation + i] == 0.0;
-}
-
-/* True for `>=` and `<=` that do not hold, `>` and `<` that do. */
-static int changes_at_zero(const lag_instance *instance, size_t i)
-{
-    const lag_model *model = instance->fmu->model;
-    return i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0);
 }
 
 /* Guards that are off are infinite; FMI wants numbers. */
@@ -81,39 +61,42 @@ static double dead_band(const lag_instance *instance, size_t i)
 /* True if guard i has been clear of its dead band since the last event. */
 static int is_armed(const lag_instance *instance, size_t i)
 {
-    return instance->held.t > instance->guards.armed[i];
+    return instance->held.t > instance->armed[i];
 }
 
 /* The way of guard i until it leaves; negative: it has left. */
 static double distance_to_leave(const lag_instance *instance, size_t i)
 {
+    const lag_model *model = instance->fmu->model;
     const double sigma = round_off(instance, i);
+    const int at_zero = i < model->nindicator && is_false(instance, i) != (model->strict[i] != 0); /* `>=` that does not hold, `>` that does */
     const double before = lag_guards_touches(&instance->run->guards, i) ? dead_band(instance, i) : 0.0;
-    const double behind = is_armed(instance, i) ? -before : instance->guards.latched[i];
-    return value_of(instance, i) + behind + (changes_at_zero(instance, i) ? -EARLY * sigma : sigma);
+    const double behind = is_armed(instance, i) ? -before : instance->latched[i];
+    return value_of(instance, i) + behind + (at_zero ? -EARLY * sigma : sigma);
 }
 
 lag_status lag_instance_find_indicators(lag_instance *instance)
 {
-    double *g = instance->values.g;
+    const lag_selection *indicators = &instance->fmu->indicators;
     const size_t count = lag_guard_count(instance->fmu->model);
     lag_status status = count > 0 ? lag_guards_detect(&instance->run->guards, instance->held.t, instance->x) : LAG_OK;
     status = status == LAG_EVENT_PENDING ? LAG_OK : status;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (!is_held(instance->fmu, i)) {
-            *g++ = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
+        if (value_of(instance, i) > instance->latched[i]) {
+            instance->armed[i] = fmin(instance->armed[i], instance->held.t);
         }
-        if (value_of(instance, i) > instance->guards.latched[i]) {
-            instance->guards.armed[i] = fmin(instance->guards.armed[i], instance->held.t);
-        }
+    }
+    for (size_t k = 0; k < indicators->count && status == LAG_OK; ++k) {
+        const size_t i = indicators->entries[k];
+        instance->values.g[k] = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
     }
     return status;
 }
 
 lag_status lag_instance_indicators(lag_instance *instance, double *g)
 {
-    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_INDICATORS);
-    memcpy(g, instance->values.g, lag_instance_indicator_count(instance->fmu) * sizeof(double));
+    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_INDICATOR);
+    memcpy(g, instance->values.g, instance->fmu->indicators.count * sizeof(double));
     return status;
 }
 
@@ -129,8 +112,8 @@ static lag_status disarm(lag_instance *instance)
     const lag_status status = lag_guards_begin(&run->guards, t, instance->x);
     for (size_t i = 0; i < lag_guard_count(instance->fmu->model) && status == LAG_OK; ++i) {
         const double behind = dead_band(instance, i) + fmax(0.0, -value_of(instance, i));
-        instance->guards.latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->guards.latched[i]);
-        instance->guards.armed[i] = value_of(instance, i) > instance->guards.latched[i] ? t : (double)INFINITY;
+        instance->latched[i] = is_armed(instance, i) ? behind : fmax(behind, instance->latched[i]);
+        instance->armed[i] = value_of(instance, i) > instance->latched[i] ? t : (double)INFINITY;
     }
     return status;
 }
@@ -156,7 +139,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
         const double near = TOGETHER * (round_off(instance, i) - DBL_MIN); /* the force of an open contact is zero without round-off: no `<` */
         const int leaves = exchanged ? distance_to_leave(instance, i) < near : guards->changed[i] != 0.0;
         const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
-        instance->guards.latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
+        instance->latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
         left[i] = left[i] != 0.0 || leaves;
         *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && is_armed(instance, i));
         guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;
@@ -183,44 +166,32 @@ static double present(const lag_instance *instance)
 
 /*
  * Places the run at time t and the present state and moves it onto the constraints down to round-off: a residual rate would act as an
- * impact, and a residual gap would not be zero when its contact opens. If the run has located an event, it goes back to that
- * event.
+ * impact, and a residual gap would not be zero when its contact opens.
  */
-static lag_status place(lag_instance *instance, double t, int located)
+static lag_status place(lag_instance *instance, double t)
 {
     lag_run *run = instance->run;
     int moved = 0;
-    lag_status status = located ? lag_run_back(run, t) : LAG_OK;
-    if (status == LAG_OK) {
-        const double h = located ? run->half.next : run->stepper.h;
-        status = lag_run_move(run, t, located ? run->stepper.x : instance->x, h);
-    }
-    if (status == LAG_OK) {
-        status = lag_instance_balance_inputs(instance);
-    }
+    lag_status status = lag_run_move(run, t, instance->x, run->half.open ? run->half.next : run->stepper.h);
+    status = status == LAG_OK ? lag_instance_balance_inputs(instance) : status;
     if (status == LAG_OK && lag_projection_exact(&run->projection, t, run->stepper.x, &moved) != LAG_OK) {
         status = lag_projection_apply(&run->projection, t, run->stepper.x, &moved);
     }
     if (status == LAG_OK) {
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
     }
     return status;
 }
 
-/* The present state is the one behind an event, with what began there; `status` is how that went. */
-static lag_status leave(lag_instance *instance, lag_status status)
+lag_status lag_instance_leave_event(lag_instance *instance, lag_status status)
 {
     if (status == LAG_OK || status == LAG_STOPPED) {
-        memcpy(instance->x, instance->run->stepper.x, lag_instance_order(instance) * sizeof(double));
-        lag_instance_note_stop(instance, status);
+        memcpy(instance->x, instance->run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
+        instance->held.stopped = instance->held.stopped || status == LAG_STOPPED;
+        lag_instance_tie(instance);
         status = disarm(instance);
     }
     return status == LAG_OK ? lag_run_count_turns(instance->run, instance->held.t, instance->x) : status;
-}
-
-lag_status lag_instance_enter_run(lag_instance *instance)
-{
-    return leave(instance, lag_run_enter(instance->run));
 }
 
 lag_status lag_instance_carry_out(lag_instance *instance)
@@ -228,18 +199,17 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
     const int located = run->half.open && run->half.own && run->half.t == held->t;
-    const double t = located ? held->t : present(instance);
-    const double h = located ? run->half.length : LAG_SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
+    const double t = present(instance);
+    const double h = located ? run->half.length : SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guard_count(instance->fmu->model);
     int any = 0;
     int flies = !held->exchanged;
     instance->values.known = 0;
     held->jumped = 1;
-    held->tied = 0;
     lag_fill(located ? 0 : count, 0.0, run->half.pending);
     /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
     lag_status status = held->exchanged ? find_left(instance, t, run->half.pending, &flies) : LAG_OK;
-    status = status == LAG_OK ? place(instance, t, located) : status;
+    status = status == LAG_OK ? place(instance, t) : status;
     status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
     any = lag_any(count, run->half.pending);
     if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
@@ -252,16 +222,15 @@ lag_status lag_instance_carry_out(lag_instance *instance)
         run->instants.contacts.flight = run->instants.instant.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;
-    return lag_instance_judge(instance, leave(instance, status));
+    return lag_instance_judge(instance, lag_instance_leave_event(instance, status));
 }
 
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 {
-    double *before = instance->scratch.point;
-    const size_t count = lag_instance_order(instance);
+    double *before = instance->scratch;
+    const size_t count = lag_motion_size(instance->fmu->model);
     lag_status status = lag_instance_begin(instance);
     memcpy(before, instance->x, count * sizeof(double));
-    status = status == LAG_OK ? lag_instance_ready(instance) : status;
     status = status == LAG_OK ? lag_instance_follow_inputs(instance) : status;
     status = status == LAG_OK ? lag_instance_carry_out(instance) : status;
     *told = (lag_update){.next = next_instant(instance), .terminate = instance->held.stopped};
@@ -272,15 +241,50 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 lag_status lag_instance_terminate(lag_instance *instance)
 {
     lag_run *run = instance->run;
-    if (instance->held.phase == LAG_PHASE_START || instance->held.stopped) {
+    if (!instance->held.moving || instance->held.stopped) {
         return LAG_OK;
     }
     lag_status status = lag_instance_ready(instance);
     status = status == LAG_OK ? lag_run_move(run, instance->held.t, instance->x, 0.0) : status;
     if (status == LAG_OK) {
         status = lag_run_end(run);
-        memcpy(instance->x, run->stepper.x, lag_instance_order(instance) * sizeof(double));
+        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
         instance->values.known = 0;
     }
     return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
+}
+
+/* ---- clocks: they tick by themselves, at instants that are known ahead ---- */
+
+/* The first instant of a clock from time t on, but for round-off. Its period stays as it was at the start. */
+static lag_status seek(lag_instance *instance, size_t which, double t, double *period, double *instant)
+{
+    const lag_status status = lag_instance_ready(instance);
+    if (status == LAG_OK) {
+        lag_clock clock = instance->run->instants.clocks.each[which];
+        lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
+        *period = clock.period;
+        *instant = lag_clock_instant(&clock, clock.next);
+    }
+    return status;
+}
+
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
+{
+    const double start = instance->held.start;
+    const lag_status status = seek(instance, which, start, period, shift);
+    *shift = fmax(0.0, *shift - start);
+    return status;
+}
+
+lag_status lag_instance_tick(lag_instance *instance, size_t which)
+{
+    const double t = instance->held.t;
+    double period = 0.0;
+    double tick = t;
+    const lag_status status = seek(instance, which, t, &period, &tick);
+    if (status != LAG_OK || tick <= t + LAG_SAME_TICK * period) {
+        return status;
+    }
+    return lag_instance_fail(instance, LAG_MISSING, "the clock does not tick at %.10g s, but at %.10g s", t, tick);
 }

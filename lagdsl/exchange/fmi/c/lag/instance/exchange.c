@@ -22,10 +22,9 @@ static double terms(const lag_fmu *fmu, size_t i, const double *values)
 void lag_instance_tie(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
-    for (size_t i = 0; i < fmu->dependents.count && !instance->held.tied; ++i) {
+    for (size_t i = 0; i < fmu->dependents.count; ++i) {
         instance->offsets[i] = instance->x[fmu->dependents.coordinates[i]] - terms(fmu, i, instance->x);
     }
-    instance->held.tied = 1;
 }
 
 void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, double *x)
@@ -39,21 +38,11 @@ void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, doubl
 
 /* ---- states ---- */
 
-size_t lag_instance_state_count(const lag_fmu *fmu)
-{
-    return fmu->states.entries == NULL ? lag_motion_size(fmu->model) : fmu->states.count;
-}
-
-size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i)
-{
-    return fmu->states.entries == NULL ? i : fmu->states.entries[i];
-}
-
 /* Entries of x (2 nq + nz) that are states of the FMU. */
 static void gather(const lag_fmu *fmu, const double *x, double *states)
 {
-    for (size_t i = 0; i < lag_instance_state_count(fmu); ++i) {
-        states[i] = x[lag_instance_state_entry(fmu, i)];
+    for (size_t i = 0; i < fmu->states.count; ++i) {
+        states[i] = x[fmu->states.entries[i]];
     }
 }
 
@@ -66,9 +55,8 @@ void lag_instance_set_time(lag_instance *instance, double t)
 
 void lag_instance_set_states(lag_instance *instance, const double *x)
 {
-    lag_instance_tie(instance);
-    for (size_t i = 0; i < lag_instance_state_count(instance->fmu); ++i) {
-        instance->x[lag_instance_state_entry(instance->fmu, i)] = x[i];
+    for (size_t i = 0; i < instance->fmu->states.count; ++i) {
+        instance->x[instance->fmu->states.entries[i]] = x[i];
     }
     lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
     instance->values.known = 0;
@@ -81,7 +69,7 @@ void lag_instance_states(const lag_instance *instance, double *x)
 
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
-    const lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RATES);
+    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
     gather(instance->fmu, instance->values.xd, xd);
     return status;
 }
@@ -90,7 +78,7 @@ lag_status lag_instance_completed(lag_instance *instance, int *events)
 {
     const double tolerance = instance->held.tolerance;
     const double t = instance->held.t;
-    lag_status status = lag_instance_evaluate(instance, LAG_KNOWN_RESIDUALS);
+    lag_status status = lag_instance_evaluate(instance, LAG_ROLE_RESIDUAL);
     *events = fmax(instance->values.residual[0], instance->values.slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
     if (status == LAG_OK) {
         lag_contacts_follow(&instance->run->instants.contacts, instance->x);

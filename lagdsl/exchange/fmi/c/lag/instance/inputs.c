@@ -36,10 +36,10 @@ static double derivative_at(const lag_instance *instance, size_t i, size_t order
     return c[order * nu] + sum;
 }
 
-void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
+void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u)
 {
     for (size_t i = 0; i < instance->fmu->model->nu; ++i) {
-        u[i] = derivative_at(instance, i, 0, t - instance->held.about);
+        u[i] = derivative_at(instance, i, order, t - instance->held.about);
     }
 }
 
@@ -47,23 +47,24 @@ void lag_instance_inputs_at(const lag_instance *instance, double t, double *u)
 static void inputs_of(void *context, double t, int before, double *u)
 {
     (void)before; /* a jump is an event */
-    lag_instance_inputs_at(context, t, u);
+    lag_instance_inputs_at(context, 0, t, u);
 }
 
 void lag_instance_set_run_inputs(lag_instance *instance)
 {
     lag_motion *motion = &instance->run->motion;
     const size_t nu = instance->fmu->model->nu;
-    instance->held.polynomial = nu > 0 && lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu);
-    motion->inputs = instance->held.polynomial ? inputs_of : NULL;
+    motion->inputs = nu > 0 && lag_any(LAG_INPUT_ORDER * nu, instance->inputs.course + nu) ? inputs_of : NULL;
     motion->context = instance;
-    lag_instance_inputs_at(instance, instance->held.t, motion->u);
+    lag_instance_inputs_at(instance, 0, instance->held.t, motion->u);
 }
 
-void lag_instance_inputs_about(lag_instance *instance, double t)
+/* The course of the inputs about the present, so that their values can be set there. */
+static void start_courses(lag_instance *instance)
 {
     const size_t nu = instance->fmu->model->nu;
-    for (size_t order = 0; order < LAG_INPUT_ORDER && instance->held.polynomial; ++order) {
+    const double t = instance->held.t;
+    for (size_t order = 0; order < LAG_INPUT_ORDER && instance->run->motion.inputs != NULL; ++order) {
         for (size_t i = 0; i < nu; ++i) {
             instance->inputs.course[order * nu + i] = derivative_at(instance, i, order, t - instance->held.about);
         }
@@ -78,7 +79,7 @@ void lag_instance_chain_inputs(lag_instance *instance)
     if (rates == NULL) {
         return;
     }
-    lag_instance_inputs_about(instance, instance->held.t);
+    start_courses(instance);
     for (size_t k = 1; k <= LAG_INPUT_ORDER; ++k) {
         for (size_t i = 0; i < nu; ++i) {
             if (rates[i] < nu) {
@@ -99,7 +100,7 @@ void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first,
     if (!held->exchanged && held->left_at != held->t) {
         lag_instance_leave_inputs(instance);
     }
-    lag_instance_inputs_about(instance, held->t);
+    start_courses(instance);
     if (!lag_same(count, course, values)) {
         memcpy(course, values, count * sizeof(double));
         held->jumped = 1;
@@ -124,58 +125,43 @@ lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t vari
 void lag_instance_leave_inputs(lag_instance *instance)
 {
     if (instance->fmu->inputs.rates != NULL) {
-        lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
+        lag_instance_inputs_at(instance, 0, instance->held.t, instance->inputs.left);
         instance->held.left_for = instance->held.exchanged ? 0.0 : instance->held.t - instance->held.left_at;
         instance->held.left_at = instance->held.t;
     }
 }
 
-/* The inputs at the present, into those of the run; 0: they are not known on the left of it, or have not been set since. */
-static int read_inputs(lag_instance *instance)
+/* 0: the inputs are not known on the left of the present, or have not been set since. */
+static int are_set(const lag_instance *instance)
 {
-    const double t = instance->held.t;
-    const int known = t == instance->held.left_at && t > instance->run->counts.begun;
-    if (known) {
-        lag_instance_inputs_at(instance, t, instance->run->motion.u);
-    }
-    return known;
-}
-
-/* The input that is the derivative of input i; nu without. */
-static size_t rate_of(const lag_instance *instance, size_t i)
-{
-    return i < instance->fmu->model->nu ? instance->fmu->inputs.rates[i] : i;
-}
-
-/* The change of input i, and its larger magnitude on both sides. */
-static double change_of(const lag_instance *instance, size_t i)
-{
-    return i < instance->fmu->model->nu ? fabs(instance->run->motion.u[i] - instance->inputs.left[i]) : 0.0;
-}
-
-static double size_of(const lag_instance *instance, size_t i)
-{
-    return i < instance->fmu->model->nu ? fmax(fabs(instance->run->motion.u[i]), fabs(instance->inputs.left[i])) : 0.0;
+    return instance->held.t == instance->held.left_at && instance->held.t > instance->run->counts.begun;
 }
 
 /* True if input i has a derivative among the inputs, and changes by more than that tells. */
 static int jumps(const lag_instance *instance, size_t i)
 {
+    const size_t nu = instance->fmu->model->nu;
+    const double *u = instance->run->motion.u;
+    const double *left = instance->inputs.left;
     const double h = instance->held.left_for;
-    const size_t rate = rate_of(instance, i);
-    const double bend = OF_RATES * h * change_of(instance, rate) + OF_ACCELERATIONS * h * h * size_of(instance, rate_of(instance, rate));
-    const double nothing = fmax(instance->held.tolerance, NOTHING) * size_of(instance, i);
-    return rate < instance->fmu->model->nu && change_of(instance, i) > nothing + bend;
+    const size_t rate = instance->fmu->inputs.rates[i];
+    if (rate == nu) {
+        return 0;
+    }
+    const size_t second = instance->fmu->inputs.rates[rate];
+    const double acceleration = second < nu ? fmax(fabs(u[second]), fabs(left[second])) : 0.0;
+    const double bend = OF_RATES * h * fabs(u[rate] - left[rate]) + OF_ACCELERATIONS * h * h * acceleration;
+    return fabs(u[i] - left[i]) > bend + fmax(instance->held.tolerance, NOTHING) * fmax(fabs(u[i]), fabs(left[i]));
 }
 
 lag_status lag_instance_follow_inputs(lag_instance *instance)
 {
     const unsigned char *follows = instance->fmu->inputs.continuous;
     const lag_slot *inputs = instance->fmu->model->inputs;
-    const size_t count = follows != NULL && read_inputs(instance) ? instance->fmu->model->nu : 0;
+    const size_t count = follows != NULL && are_set(instance) ? instance->fmu->model->nu : 0;
     for (size_t i = 0; i < count; ++i) {
         if (follows[i] && jumps(instance, i)) {
-            const size_t rate = rate_of(instance, i);
+            const size_t rate = instance->fmu->inputs.rates[i];
             return lag_instance_fail(instance, LAG_POSITION_JUMP,
                 "t = %.10g s: the input %s moves by more than its derivatives say (%s is %.6g): set it and its derivatives from one smooth path, at "
                 "more points if it is fast; let %s jump to make a blow",
@@ -190,13 +176,13 @@ lag_status lag_instance_balance_inputs(lag_instance *instance)
     lag_run *run = instance->run;
     const size_t nu = instance->fmu->model->nu;
     int blow = 0; /* of which contacts hear */
-    if (!read_inputs(instance) || lag_same(nu, run->motion.u, instance->inputs.left)) {
+    if (!are_set(instance) || lag_same(nu, run->motion.u, instance->inputs.left)) {
         return LAG_OK;
     }
     for (size_t i = 0; i < nu; ++i) {
         blow = blow || jumps(instance, i);
     }
     const lag_status status = lag_instants_prescribe(&run->instants, instance->held.t, run->stepper.x, instance->inputs.left, blow);
-    lag_instance_inputs_at(instance, instance->held.t, instance->inputs.left);
+    lag_instance_inputs_at(instance, 0, instance->held.t, instance->inputs.left);
     return status;
 }

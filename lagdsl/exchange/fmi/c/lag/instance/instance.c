@@ -1,4 +1,4 @@
-/* One instance: its block, its experiment. */
+/* One instance: its block, its experiment, its state as bytes without pointers. */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
@@ -8,6 +8,7 @@
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
+#include "lag/serialization.h"
 
 static const double MOST_TOLERANCE = 0.1;
 /* Integrators of our own keep this part of a tolerance: it is that of values at communication points, long after the errors of the steps. */
@@ -46,19 +47,16 @@ static void lay_out(lag_instance *instance, room *of)
     instance->inputs.course = take(of, (LAG_INPUT_ORDER + 1) * model->nu);
     instance->inputs.left = take(of, model->nu);
     instance->inputs.given = (unsigned char *)take(of, model->nu);
-    instance->guards.latched = take(of, lag_guard_count(model));
-    instance->guards.armed = take(of, lag_guard_count(model));
+    instance->latched = take(of, lag_guard_count(model));
+    instance->armed = take(of, lag_guard_count(model));
     instance->offsets = take(of, fmu->dependents.count);
     instance->kept_count = of->count;
-    instance->values.g = take(of, lag_instance_indicator_count(fmu));
+    instance->values.g = take(of, fmu->indicators.count);
     instance->values.xd = take(of, size);
     instance->values.y = take(of, model->ny);
     instance->values.local = take(of, model->nd);
     instance->values.unasked = take(of, model->nc);
-    instance->scratch.point = take(of, size);
-    instance->scratch.tangent = take(of, size);
-    instance->scratch.fixed = take(of, lag_fixed_memory(size));
-    instance->scratch.slopes = take(of, lag_instance_slopes(model));
+    instance->scratch = take(of, lag_fixed_memory(size) + 3 * size + 2 * model->np + model->nu + model->nw + model->ny + model->nd + 3);
     instance->invariant_limits = take(of, model->ni);
     instance->warnings = take(of, model->na + model->nfail);
 }
@@ -72,39 +70,43 @@ static size_t own_size(const lag_fmu *fmu)
     return lag_padded(sizeof(lag_instance)) + lag_padded(of.count * sizeof(double));
 }
 
-/* Remembers which `terminate` acted, and warnings. */
+/* The words of a `terminate` are the message of the end; warnings are kept. */
 static lag_status record_event(void *context, lag_run *run, const lag_event_notice *notice)
 {
     lag_instance *instance = context;
-    (void)run;
     if (notice->what == LAG_TERMINATE) {
-        instance->held.ending = notice->which;
+        (void)lag_instance_fail(instance, LAG_STOPPED, "t = %.10g s: %s", notice->t, run->motion.model->stops[notice->which]);
     } else if (notice->what == LAG_WARNING) {
         instance->warnings[notice->which] = 1.0;
     }
     return LAG_OK;
 }
 
+static double length_of(double start, double stop)
+{
+    return stop - start > 0.0 && stop - start < (double)INFINITY ? stop - start : LENGTH;
+}
+
 static lag_run_options options_of(lag_instance *instance)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_held *held = &instance->held;
-    const double stop = held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop;
-    const double length = stop - held->start;
-    lag_run_options options = lag_instance_plan(fmu);
-    options.tolerance = held->integration;
-    options.p = instance->p;
-    options.callbacks = (lag_run_callbacks){.context = instance, .tell = record_event};
-    options.sizes = fmu->sizes;
-    options.lasting = fmu->lasting;
-    options.length = length > 0.0 && length < (double)INFINITY ? length : LENGTH;
-    options.invariants.tolerance = instance->invariant_limits;
-    return options;
+    return (lag_run_options){
+        .careful = 1,
+        .start = fmu->start,
+        .tolerance = held->integration,
+        .p = instance->p,
+        .callbacks = {.context = instance, .tell = record_event},
+        .sizes = fmu->sizes,
+        .lasting = fmu->lasting,
+        .length = length_of(held->start, held->stop < (double)INFINITY ? held->stop : fmu->experiment.stop),
+        .invariants.tolerance = instance->invariant_limits,
+    };
 }
 
 size_t lag_instance_size(const lag_fmu *fmu)
 {
-    const lag_run_options options = lag_instance_plan(fmu);
+    const lag_run_options options = options_of(&(lag_instance){.fmu = fmu});
     return own_size(fmu) + lag_run_size(fmu->model, &options);
 }
 
@@ -141,22 +143,18 @@ lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
     lay_out(instance, &of);
     lag_derivatives_place(&instance->derivatives, model, take(&of, lag_derivatives_memory(model)));
     instance->run = (lag_run *)(void *)(bytes + size);
-    instance->held.start = instance->held.t = fmu->experiment.start;
-    instance->held.stop = (double)INFINITY;
-    instance->held.tolerance = instance->held.integration = fmu->experiment.tolerance;
     if (model->np > 0) {
         memcpy(instance->p, model->defaults, model->np * sizeof(double));
         memcpy(instance->starts.parameters, model->defaults, model->np * sizeof(double));
     }
-    lag_instance_renew(instance);
+    lag_instance_setup(instance, LAG_NO_KIND, fmu->experiment.start, (double)INFINITY, 0.0);
     list_values(instance);
     return instance;
 }
 
 double lag_instance_rate(const lag_instance *instance)
 {
-    const double length = instance->fmu->experiment.stop - instance->fmu->experiment.start;
-    return RATE / (length > 0.0 && length < (double)INFINITY ? length : LENGTH);
+    return RATE / length_of(instance->fmu->experiment.start, instance->fmu->experiment.stop);
 }
 
 void lag_instance_renew(lag_instance *instance)
@@ -174,20 +172,57 @@ void lag_instance_renew(lag_instance *instance)
     lag_instance_set_run_inputs(instance);
 }
 
-/* That of the experiment is one for `lag run`, which is the tolerance of the steps. */
-static double integration_tolerance(const lag_instance *instance, lag_kinds kind)
-{
-    const double given = instance->held.tolerance;
-    return kind == LAG_CO_SIMULATION ? fmin(given, fmax(INTEGRATION * given, instance->fmu->experiment.tolerance)) : given;
-}
-
 void lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, double stop, double tolerance)
 {
     lag_held *held = &instance->held;
+    const double own = instance->fmu->experiment.tolerance;
     held->start = held->t = start;
     held->stop = stop;
-    held->tolerance = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : instance->fmu->experiment.tolerance;
-    held->integration = integration_tolerance(instance, kind);
-    lag_instance_inputs_about(instance, start);
+    held->tolerance = held->integration = tolerance > 0.0 ? fmin(fmax(tolerance, LAG_EXACT), MOST_TOLERANCE) : own;
+    if (kind == LAG_CO_SIMULATION) { /* that of the experiment is one for `lag run`, which is the tolerance of the steps */
+        held->integration = fmin(held->tolerance, fmax(INTEGRATION * held->tolerance, own));
+    }
+    held->about = start;
     lag_instance_renew(instance);
+}
+
+/* ---- state ---- */
+
+/* All but the state of the run, with its settings; `instance` is changed only where the record is read from. */
+static void walk(lag_instance *instance, lag_record *record)
+{
+    lag_run_options *options = &instance->run->options;
+    lag_record_bytes(record, &instance->held, sizeof instance->held);
+    lag_record_doubles(record, instance->kept_count, instance->kept);
+    lag_record_doubles(record, 1, &options->tolerance);
+    lag_record_doubles(record, 1, &options->length);
+}
+
+static size_t own_bytes(const lag_instance *instance)
+{
+    return sizeof(lag_held) + (instance->kept_count + 2) * sizeof(double);
+}
+
+size_t lag_instance_saved_size(const lag_instance *instance)
+{
+    return own_bytes(instance) + lag_run_saved_size(instance->fmu->model, &instance->run->options);
+}
+
+void lag_instance_save(const lag_instance *instance, unsigned char *bytes)
+{
+    walk((lag_instance *)instance, &(lag_record){bytes, NULL, 0});
+    lag_run_save(instance->run, bytes + own_bytes(instance));
+}
+
+lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
+{
+    lag_motion *motion = &instance->run->motion;
+    lag_status status = lag_run_load(instance->run, bytes + own_bytes(instance));
+    if (status == LAG_OK) {
+        walk(instance, &(lag_record){NULL, bytes, 0});
+        status = motion->at.p != NULL ? lag_motion_parameters(motion, motion->at.p) : LAG_OK;
+        instance->values.known = 0;
+        lag_instance_set_run_inputs(instance);
+    }
+    return lag_instance_judge(instance, status);
 }

@@ -3,7 +3,7 @@
  * the order of calls, which are in fmi2.c and fmi3.c.
  *
  * All state lies in the one block that the caller gives; copying it (lag_instance_save) is rollback. No function allocates or
- * calls back but for `report`. A status other than LAG_OK comes with `message`.
+ * calls back. A status other than LAG_OK comes with `message`.
  */
 #ifndef LAG_INSTANCE_H
 #define LAG_INSTANCE_H
@@ -48,11 +48,10 @@ const char *lag_instance_warning(lag_instance *instance);
 /* True if the variable is a free parameter: initialization solves for it, from the value that was set as a guess. */
 int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable);
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
-/* Finite values of the type of the variable, where the moment allows that: both are the caller's to check. Refused: values outside of the range. */
+/* Finite values of the type of the variable and within its range, where the moment allows that: all this is the caller's to check. */
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
 /* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2). */
 lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values);
-lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values);
 
 /* ---- initialization ---- */
 
@@ -72,13 +71,9 @@ lag_status lag_instance_terminate(lag_instance *instance);
 /* ---- model exchange ---- */
 
 void lag_instance_set_time(lag_instance *instance, double t);
-/* Number of states that importers integrate, and the entry of x that is the i-th of them. */
-size_t lag_instance_state_count(const lag_fmu *fmu);
-size_t lag_instance_state_entry(const lag_fmu *fmu, size_t i);
 void lag_instance_set_states(lag_instance *instance, const double *x);
 void lag_instance_states(const lag_instance *instance, double *x);
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd);
-size_t lag_instance_indicator_count(const lag_fmu *fmu);
 lag_status lag_instance_indicators(lag_instance *instance, double *g);
 /* Event mode: what has changed since the last event is found anew and carried out, with what follows from it. */
 lag_status lag_instance_update(lag_instance *instance, lag_update *told);
@@ -108,13 +103,13 @@ lag_status lag_instance_tick(lag_instance *instance, size_t which);
 /* ---- derivatives ---- */
 
 /*
- * sensitivity = d unknown / d known * seed, exact, of the functions above as they stand (relations and contacts held). Unknowns: outputs,
- * derivatives, locals, multipliers, indicators; knowns: states, inputs, tunable parameters; in initialization whatever depends.
+ * sensitivity = d unknown / d known * seed, or the adjoint seed' * d unknown / d known, exact, of the functions above as they stand (relations and
+ * contacts held). Unknowns: outputs, derivatives, locals, multipliers, energies; knowns: states, inputs, tunable parameters, time; in initialization
+ * whatever depends. The other one is that of a variable in time, along the motion, of order 1.
  */
-lag_status lag_instance_directional(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
+lag_status lag_instance_slopes(lag_instance *instance, int adjoint, const lag_known *unknown, size_t unknowns, const lag_known *known,
     size_t knowns, const double *seed, double *sensitivity);
-lag_status lag_instance_adjoint(lag_instance *instance, const lag_known *unknown, size_t unknowns, const lag_known *known,
-    size_t knowns, const double *seed, double *sensitivity);
+lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t variable, int order, double *values);
 
 /* ---- state ---- */
 

@@ -13,35 +13,15 @@
 enum { LAG_INPUT_ORDER = 3 };
 enum { LAG_MESSAGE = 512 };
 
-/* Central differences at two distances, extrapolated: so many points, parts of a distance, and weights. */
-enum { LAG_POINTS = 4 };
-static const double LAG_POINT[LAG_POINTS] = {1.0, -1.0, 0.5, -0.5};
-static const double LAG_WEIGHT[LAG_POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
-
-/* The larger distance, as a part of what a value changes over by itself; and a short time, as a part of an experiment, before the first step. */
-static const double LAG_DISTANCE = 1e-3;
-static const double LAG_SHORT_TIME = 1e-6;
-
-typedef enum lag_phase {
-    LAG_PHASE_START,  /* until initialization ends: states follow starts and parameters */
-    LAG_PHASE_MOTION
-} lag_phase;
-
 enum { LAG_ROLES = LAG_ROLE_CLOCK + 1 };
 
-/* Values that follow from the present state: one bit for each role, where they are known. */
+/*
+ * Values that follow from the present state are known by role: with multipliers go the accelerations of the model, in run->motion; those among
+ * derivatives are pulled towards the constraints. Two more are not values of variables:
+ */
 enum {
-    LAG_KNOWN_MOTION = 1 << LAG_ROLE_MULTIPLIER, /* multipliers and accelerations of the model, in run->motion */
-    LAG_KNOWN_RATES = 1 << LAG_ROLE_DERIVATIVE,  /* those of rates are pulled towards the constraints */
-    LAG_KNOWN_OUTPUTS = 1 << LAG_ROLE_OUTPUT,
-    LAG_KNOWN_LOCALS = 1 << LAG_ROLE_LOCAL,
-    LAG_KNOWN_INDICATORS = 1 << LAG_ROLE_INDICATOR,
-    LAG_KNOWN_ENERGIES = 1 << LAG_ROLE_ENERGY,
-    LAG_KNOWN_RESIDUALS = 1 << LAG_ROLE_RESIDUAL,
-    LAG_FOLLOWING = LAG_KNOWN_MOTION | LAG_KNOWN_RATES | LAG_KNOWN_OUTPUTS | LAG_KNOWN_LOCALS | LAG_KNOWN_INDICATORS |
-                    LAG_KNOWN_ENERGIES | LAG_KNOWN_RESIDUALS,
-    LAG_KNOWN_DERIVATIVES = 1 << LAG_ROLES,      /* what derivatives need, in `derivatives`, */
-    LAG_KNOWN_PULLED = 2 << LAG_ROLES            /* or what those of pulled accelerations do */
+    LAG_DERIVATIVES = LAG_ROLES, /* what directional derivatives need, in `derivatives`, */
+    LAG_PULLED                   /* or what those of pulled accelerations do */
 };
 
 typedef struct lag_held {
@@ -55,14 +35,11 @@ typedef struct lag_held {
     int exchanged;          /* the importer sets the time: inputs are those of trial states until a step is accepted */
     double step;            /* LAG_OPTION_STEP */
     int implicit;           /* fixed steps are those of an implicit method; -1: not decided yet */
-    lag_phase phase;
+    int moving;             /* initialization has ended: states follow starts and parameters no longer */
     int prepared;           /* functions know the parameters */
     int initialized;        /* x follows from what was set */
     int jumped;             /* something was set since the motion went on: rates are others */
-    int polynomial;         /* inputs have derivatives */
-    int tied;               /* `offsets` belong to the present state */
-    int stopped;            /* the model has ended the simulation, */
-    size_t ending;          /* by this `terminate` */
+    int stopped;            /* the model has ended the simulation */
 } lag_held;
 
 /* Values that importers set until initialization ends. */
@@ -78,28 +55,15 @@ typedef struct lag_input_courses {
     unsigned char *given; /* (nu) flags: this one was set */
 } lag_input_courses;
 
-/* Of event indicators. */
-typedef struct lag_dead_bands {
-    double *latched; /* (guards) so far behind zero a guard that is not armed may go */
-    double *armed;   /* (guards) time from which on it is armed; infinite: not yet */
-} lag_dead_bands;
-
 /* Values of variables; those that follow from the present state as far as they are known. */
 typedef struct lag_values {
-    unsigned known;
+    unsigned known; /* one bit for each role */
     const double *of[LAG_ROLES]; /* arrays of all roles but clocks */
     double *xd, *y, *local, *g;  /* (2 nq + nz) (ny) (nd) (indicators) */
     double *unasked;            /* (nc) multipliers of accelerations that are pulled */
     double energy[4], residual[2];
     double slip;                /* the largest residual of rates, each as a part of the rates of its component */
 } lag_values;
-
-/* Memory of one call. */
-typedef struct lag_instance_scratch {
-    double *point, *tangent; /* (2 nq + nz) */
-    double *fixed;           /* lag_fixed_memory() */
-    double *slopes;          /* lag_instance_slopes() */
-} lag_instance_scratch;
 
 struct lag_instance {
     const lag_fmu *fmu;
@@ -111,27 +75,16 @@ struct lag_instance {
     double *p;              /* (np) those of the motion, found ones among them */
     lag_starts starts;
     lag_input_courses inputs;
-    lag_dead_bands guards;
+    double *latched;        /* (guards) so far behind zero a guard that is not armed may go */
+    double *armed;          /* (guards) time from which on it is armed; infinite: not yet */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
     lag_values values;
     lag_derivatives derivatives;
     double *invariant_limits; /* (ni) */
     double *warnings;         /* (na + nfail) 1: to be told */
-    lag_instance_scratch scratch;
+    double *scratch;          /* of one call: states, and what their derivatives or a step of fixed length need */
     char message[LAG_MESSAGE];
 };
-
-/* Numbers of its state, and of the present inputs. */
-static inline size_t lag_instance_order(const lag_instance *instance)
-{
-    return lag_motion_size(instance->fmu->model);
-}
-
-/* Options that determine the size of a run. */
-static inline lag_run_options lag_instance_plan(const lag_fmu *fmu)
-{
-    return (lag_run_options){.careful = 1, .start = fmu->start};
-}
 
 /* ---- instance.c ---- */
 
@@ -142,9 +95,9 @@ void lag_instance_renew(lag_instance *instance);
 
 /* ---- exchange.c ---- */
 
-/* Offsets of dependent coordinates at the present state, unless they are known. */
+/* Offsets of dependent coordinates, those at the present state: behind an event. */
 void lag_instance_tie(lag_instance *instance);
-/* Dependent entries of x (2 nq + nz) follow from the states, before whose change lag_instance_tie() comes; without offsets x is a direction. */
+/* Dependent entries of x (2 nq + nz) follow from the states; without offsets x is a direction. */
 void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, double *x);
 
 /* ---- instance_messages.c ---- */
@@ -153,45 +106,27 @@ void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, doubl
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
 /* The same in the words of the runtime; LAG_OK stays. */
 lag_status lag_instance_judge(lag_instance *instance, lag_status status);
-/* If `status` is that of a `terminate`, notes that the simulation ends, with its message. */
-void lag_instance_note_stop(lag_instance *instance, lag_status status);
 
 /* ---- instance_start.c ---- */
 
 /* In the start phase: the state that follows from what was set, with what happens there. */
 lag_status lag_instance_begin_at(lag_instance *instance);
-/*
- * Change of the start along the direction in `derivatives`, written into its states; below, the doubles of `slopes` that
- * this takes.
- */
+/* Change of the start along the direction in `derivatives`, written into its states. */
 lag_status lag_instance_start_slopes(lag_instance *instance);
-size_t lag_instance_start_slopes_memory(const lag_model *model);
-
-/* ---- lazy_evaluation.c ---- */
-
-/* Lets this be known, one of the bits above. */
-lag_status lag_instance_evaluate(lag_instance *instance, unsigned what);
-/* LAG_VIOLATED: an assertion does not hold at x at time t. */
-lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
 
 /* ---- variables.c ---- */
 
-/* Lets the value of a variable be known; its entry i then. By the factor it is that of the model. */
-lag_status lag_instance_look(lag_instance *instance, const lag_variable *variable);
-double lag_instance_value(const lag_instance *instance, const lag_variable *variable, size_t i);
+/* Lets the values of a role be known, or what derivatives need. */
+lag_status lag_instance_evaluate(lag_instance *instance, unsigned role);
+/* LAG_VIOLATED: an assertion does not hold at x at time t. Invariants begin anew: steps of importers, and of fixed length, have errors of their own. */
+lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
+/* By this factor the value of a variable is that of the model. */
 double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
-
-/* ---- directional.c ---- */
-
-/* Doubles of `slopes`. */
-size_t lag_instance_slopes(const lag_model *model);
 
 /* ---- inputs.c ---- */
 
-/* The inputs at time t, into u. */
-void lag_instance_inputs_at(const lag_instance *instance, double t, double *u);
-/* The course of the inputs about t, so that their values can be set there. */
-void lag_instance_inputs_about(lag_instance *instance, double t);
+/* The inputs at time t, or their derivatives of this order, into u. */
+void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u);
 /* Derivative number `order` of so many inputs at the present; 0: their values. */
 void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first, size_t count, const double *values);
 /* Inputs whose derivatives are inputs, too, go as these say. */
@@ -210,8 +145,8 @@ lag_status lag_instance_balance_inputs(lag_instance *instance);
 
 /* Indicators at the present state, into g. */
 lag_status lag_instance_find_indicators(lag_instance *instance);
-/* The run, which is at the start, begins there with what happens. */
-lag_status lag_instance_enter_run(lag_instance *instance);
+/* The present state is the one behind an event, with what began there; `status` is how that went. */
+lag_status lag_instance_leave_event(lag_instance *instance, lag_status status);
 /*
  * At the present state: onto the constraints; what was located there, and what inputs, parameters or a step of the importer have changed,
  * is carried out; clocks tick.

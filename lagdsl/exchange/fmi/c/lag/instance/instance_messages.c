@@ -4,6 +4,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "lag/words.h"
+
 const char *lag_instance_message(const lag_instance *instance)
 {
     return instance->message;
@@ -16,18 +18,6 @@ lag_status lag_instance_fail(lag_instance *instance, lag_status status, const ch
     (void)vsnprintf(instance->message, LAG_MESSAGE, format, arguments);
     va_end(arguments);
     return status;
-}
-
-void lag_instance_note_stop(lag_instance *instance, lag_status status)
-{
-    const lag_model *model = instance->fmu->model;
-    const size_t i = instance->held.ending;
-    if (status != LAG_STOPPED) {
-        return;
-    }
-    instance->held.stopped = 1;
-    (void)lag_instance_fail(instance, status, "t = %.10g s: %s", instance->run->stepper.t,
-        i < model->nstop ? model->stops[i] : "the model ends the simulation");
 }
 
 /* Name of the state that has placed a mass elsewhere, as a clause has set it; null: no clause has. */
@@ -55,64 +45,32 @@ static const char *frictions(const lag_model *model, char *names)
     return names;
 }
 
-typedef enum blamed { NOBODY, COORDINATE, DISCRETE, DISPLACING, RESET, FAILURE, ASSERTION, FRICTIONS } blamed;
-
-static const struct {
-    blamed who;
-    const char *words; /* with the name in them */
-} FAULTS[] = {
-    [LAG_SINGULAR] = {COORDINATE, "the acceleration of %s is not determined"},
-    [LAG_NOT_FINITE] = {NOBODY, "a value is infinite or not a number"},
-    [LAG_MISSING] = {NOBODY, "a function is missing"},
-    [LAG_STEP_TOO_SMALL] = {NOBODY, "steps became as short as the round-off of time"},
-    [LAG_TOO_LONG] = {NOBODY, "this takes too many steps"},
-    [LAG_PROJECTION_FAILED] = {NOBODY, "the constraints cannot be reached from here"},
-    [LAG_ATTENTION] = {NOBODY, "the constraints are about to lose rank"},
-    [LAG_VIOLATED] = {ASSERTION, "%s"},
-    [LAG_CHATTER] = {DISCRETE, "events of %s accumulate"},
-    [LAG_EVENT_PENDING] = {NOBODY, "an event is left"},
-    [LAG_EVENT_ITERATION_FAILED] = {DISCRETE, "event iteration did not converge; still changing: %s"},
-    [LAG_CONFLICT] = {RESET, "two clauses reset %s to different values"},
-    [LAG_ASSERTION_FAILED] = {FAILURE, "%s"},
-    [LAG_PENETRATION] = {DISCRETE, "the gap of %s is negative"},
-    [LAG_POSITION_JUMP] = {NOBODY, "a constraint becomes active, but the current position violates it"},
-    [LAG_BRANCH_POINT] = {NOBODY, "branches of the motion meet, and the equations do not determine the branch"},
-    [LAG_BAD_STATE_DATA] = {NOBODY, "these bytes are no state of this FMU"},
-    [LAG_BAD_CLOCK] = {NOBODY, "a clock has no positive period, or no first instant"},
-    [LAG_WAY_JUMP] = {DISPLACING, "the position of a mass would jump with %s"},
-    [LAG_MOMENTUM_UNREACHABLE] = {COORDINATE, "no rate of %s has the momentum or the energy that the event leaves"},
-    [LAG_NO_FORCES] = {FRICTIONS, "no forces satisfy the law of friction of %s: it wedges"},
-    [LAG_BAD_DELAY] = {NOBODY, "a delay is not positive"},
-    [LAG_LONG_PAST] = {NOBODY, "the past of a delayed value has too many events"},
-};
-
-/* `room` (LAG_MESSAGE) is for a list of names. Discretes are those that an event could not settle, assertions those that the run looked at last. */
-static const char *name_of(const lag_instance *instance, blamed who, char *room)
+/* Of this list of names what is to blame; `room` (LAG_MESSAGE) is for several. Entries are those that an event could not settle. */
+static const char *name_of(const lag_instance *instance, lag_status status, char *room)
 {
     const lag_model *model = instance->fmu->model;
-    const lag_run *run = instance->run;
-    const size_t clause = run->instants.clauses.fault;
-    const size_t discrete = lag_first(model->nw, run->instants.discretes.guilty);
-    const char *displaced = who == DISPLACING ? displacing(instance) : NULL;
-    size_t i = 0;
-    switch (who) {
-    case COORDINATE:
-        return run->motion.coordinate < model->nq ? model->coordinates[run->motion.coordinate].name : "the model";
-    case DISPLACING:
-    case DISCRETE:
-        return displaced != NULL ? displaced : discrete < model->nw ? model->discretes[discrete].name : "the model";
-    case RESET:
-        return clause < model->nreset ? model->resets[clause] : "a state";
-    case FAILURE:
-        return clause < model->nfail ? model->failures[clause] : "an assertion failed";
-    case ASSERTION:
-        while (i < model->na && run->conditions.held[i] != 0.0) {
-            ++i;
-        }
-        return i < model->na ? model->assertions[i] : "an invariant left its tolerance";
-    case FRICTIONS:
+    const size_t entry = lag_first(model->nw, instance->run->instants.discretes.guilty);
+    const char *displaced = status == LAG_WAY_JUMP ? displacing(instance) : NULL;
+    lag_fault fault = {.which = 0};
+    if (LAG_WORDS[status].blamed != LAG_BLAMED_NOTHING) {
+        lag_run_explain(instance->run, status, &fault);
+    }
+    switch (LAG_WORDS[status].blamed) {
+    case LAG_BLAMED_COORDINATES:
+        return fault.which < model->nq ? model->coordinates[fault.which].name : "the model";
+    case LAG_BLAMED_ROWS:
+        return fault.which < model->nc ? model->constraints[fault.which].name : "the model";
+    case LAG_BLAMED_ENTRIES:
+        return displaced != NULL ? displaced : entry < model->nw ? model->discretes[entry].name : "the model";
+    case LAG_BLAMED_RESETS:
+        return model->resets[fault.which];
+    case LAG_BLAMED_CHECKS:
+        return model->failures[fault.which];
+    case LAG_BLAMED_CONDITIONS:
+        return fault.which < model->na ? model->assertions[fault.which] : model->invariants[fault.which - model->na].name;
+    case LAG_BLAMED_FRICTIONS:
         return frictions(model, room);
-    case NOBODY:
+    case LAG_BLAMED_NOTHING:
         break;
     }
     return "";
@@ -136,7 +94,7 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     if (status == LAG_OK || status == LAG_STOPPED) {
         return status;
     }
-    (void)snprintf(told, sizeof told, FAULTS[status].words, name_of(instance, FAULTS[status].who, room));
+    (void)snprintf(told, sizeof told, LAG_WORDS[status].words, name_of(instance, status, room));
     return lag_instance_fail(instance, status, "t = %.10g s: %s", instance->held.t, told);
 }
 

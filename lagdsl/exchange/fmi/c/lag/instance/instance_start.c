@@ -8,7 +8,12 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-/* Smaller values than this have this size in differences. */
+/* Central differences at two distances, extrapolated: so many points, parts of a distance, and weights. */
+enum { POINTS = 4 };
+static const double POINT[POINTS] = {1.0, -1.0, 0.5, -0.5};
+static const double WEIGHT[POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3.0};
+/* The larger distance, as a part of a value; smaller values than this have this size. */
+static const double DISTANCE = 1e-3;
 static const double SMALLEST = 1e-2;
 
 int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable)
@@ -23,9 +28,7 @@ static int as_exported(const lag_instance *instance, int own)
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     int same = fmu->start->x != NULL && fmu->start->free == NULL && fmu->start->t == instance->held.t && (own || model->nc + model->ne == 0);
-    for (size_t i = 0; i < model->np && same; ++i) {
-        same = instance->p[i] == model->defaults[i];
-    }
+    same = same && lag_same(model->np, instance->p, model->defaults);
     for (size_t i = 0; i < lag_motion_size(model) && same; ++i) {
         same = !instance->starts.given[i] || instance->starts.values[i] == fmu->start->x[i];
     }
@@ -97,7 +100,7 @@ static lag_status find_start(lag_instance *instance, double along, double *x, la
         return lag_instance_judge(instance, status);
     }
     if (along == 0.0 && as_exported(instance, own)) {
-        memcpy(x, fmu->start->x, lag_instance_order(instance) * sizeof(double));
+        memcpy(x, fmu->start->x, lag_motion_size(instance->fmu->model) * sizeof(double));
     } else if (fmu->model->nc + fmu->model->ne > 0) {
         status = lag_run_find(run, instance->held.t + along * instance->derivatives.time, instance->starts.given, x, told);
     }
@@ -107,41 +110,28 @@ static lag_status find_start(lag_instance *instance, double along, double *x, la
     return lag_instance_fail(instance, status, FAULTS[told->fault], blamed(fmu->model, told), told->residual);
 }
 
-/* The state at which the motion begins, into x, with inputs and free parameters. */
-static lag_status find(lag_instance *instance)
-{
-    lag_run *run = instance->run;
-    const lag_model *model = instance->fmu->model;
-    const unsigned char *free = instance->fmu->start->free;
-    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
-    for (size_t i = 0; i < model->np && free != NULL; ++i) {
-        instance->p[i] = instance->starts.parameters[i];
-    }
-    const lag_status status = find_start(instance, 0.0, instance->x, &told);
-    for (size_t i = 0; i < model->nu; ++i) {
-        instance->inputs.course[i] = run->motion.u[i];
-    }
-    lag_instance_set_run_inputs(instance);
-    return status == LAG_OK ? lag_instance_judge(instance, lag_run_move(run, instance->held.t, instance->x, 0.0)) : status;
-}
-
 lag_status lag_instance_begin_at(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
+    const lag_model *model = instance->fmu->model;
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
     lag_turns_clear(&run->turns);
-    held->stopped = held->tied = 0;
-    held->left_at = held->t;
+    held->stopped = 0;
+    held->left_at = run->counts.begun = held->t;
     held->left_for = 0.0;
     held->implicit = -1;
-    run->counts.begun = held->t;
-    lag_status status = find(instance);
+    lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
+    memcpy(instance->p, instance->starts.parameters, model->np * sizeof(double)); /* free ones are searched from there */
+    lag_status status = find_start(instance, 0.0, instance->x, &told);
+    memcpy(instance->inputs.course, run->motion.u, model->nu * sizeof(double));
+    lag_instance_set_run_inputs(instance);
     if (status != LAG_OK) {
         return status;
     }
-    status = lag_instance_enter_run(instance);
+    status = lag_run_move(run, held->t, instance->x, 0.0);
+    status = status == LAG_OK ? lag_instance_leave_event(instance, lag_run_enter(run)) : status;
     status = status == LAG_OK ? lag_instance_assert(instance, held->t, instance->x) : status;
     held->initialized = status == LAG_OK;
     return lag_instance_judge(instance, status);
@@ -149,8 +139,8 @@ lag_status lag_instance_begin_at(lag_instance *instance)
 
 lag_status lag_instance_begin(lag_instance *instance)
 {
-    const lag_status status = instance->held.phase == LAG_PHASE_START ? lag_instance_ready(instance) : LAG_OK;
-    instance->held.phase = status == LAG_OK ? LAG_PHASE_MOTION : LAG_PHASE_START;
+    const lag_status status = lag_instance_ready(instance);
+    instance->held.moving = instance->held.moving || status == LAG_OK;
     return status;
 }
 
@@ -159,11 +149,6 @@ lag_status lag_instance_begin(lag_instance *instance)
  *
  * The start is the result of a search, so the search is repeated beside the present values, for differences.
  */
-
-size_t lag_instance_start_slopes_memory(const lag_model *model)
-{
-    return 2 * lag_motion_size(model) + 2 * model->np + model->nu + model->nw;
-}
 
 /* The largest entry of a direction, in sizes of the values. */
 static double most_of(size_t count, const double *direction, const double *values, double smallest)
@@ -184,7 +169,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     double *direction = instance->derivatives.x;
     double *of_inputs = direction + size;
     double *of_parameters = of_inputs + model->nu;
-    double *memory = instance->scratch.slopes;
+    double *memory = instance->scratch;
     double *w = lag_take(&memory, model->nw);
     double *x = lag_take(&memory, size);
     double *p = lag_take(&memory, model->np);
@@ -194,15 +179,15 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
     double most = fmax(most_of(1, &instance->derivatives.time, &instance->held.t, 1.0), most_of(size, direction, instance->x, SMALLEST));
     most = fmax(most, most_of(model->nu, of_inputs, instance->inputs.course, SMALLEST));
     most = fmax(most, most_of(model->np, of_parameters, instance->p, SMALLEST));
-    const double h = LAG_DISTANCE / most;
+    const double h = DISTANCE / most;
     lag_status status = LAG_OK;
-    for (size_t k = 0; k < LAG_POINTS && most > 0.0 && status == LAG_OK; ++k) {
+    for (size_t k = 0; k < POINTS && most > 0.0 && status == LAG_OK; ++k) {
         lag_initial told = {.p = p};
         memcpy(p, instance->p, model->np * sizeof(double));
-        lag_axpy(model->np, LAG_POINT[k] * h, of_parameters, p);
-        status = find_start(instance, LAG_POINT[k] * h, x, &told);
-        lag_axpy(size, LAG_WEIGHT[k] / h, x, slope);
-        lag_axpy(model->np, LAG_WEIGHT[k] / h, p, slope + size);
+        lag_axpy(model->np, POINT[k] * h, of_parameters, p);
+        status = find_start(instance, POINT[k] * h, x, &told);
+        lag_axpy(size, WEIGHT[k] / h, x, slope);
+        lag_axpy(model->np, WEIGHT[k] / h, p, slope + size);
     }
     memcpy(motion->w, w, model->nw * sizeof(double));
     memcpy(direction, slope, size * sizeof(double));
@@ -210,7 +195,7 @@ lag_status lag_instance_start_slopes(lag_instance *instance)
         of_parameters[i] = free[i] ? slope[size + i] : of_parameters[i];
     }
     lag_instance_set_run_inputs(instance);
-    instance->values.known &= LAG_KNOWN_DERIVATIVES | LAG_KNOWN_PULLED;
+    instance->values.known &= ~((1U << LAG_ROLES) - 1); /* derivatives stay */
     const lag_status restored = lag_motion_parameters(motion, instance->p);
     return status == LAG_OK ? restored : status;
 }

@@ -1,9 +1,146 @@
-/* Values of variables: where each of them stands, and what follows when it is set. */
+/*
+ * Values of variables: where each of them stands, and what follows when it is set. Values that follow from the present state are computed on
+ * demand, and kept until a value is set.
+ */
 #include "lag/instance/instance_internal.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+#include "lag/linalg/finite.h"
+
+lag_status lag_instance_ready(lag_instance *instance)
+{
+    lag_held *held = &instance->held;
+    if (!held->moving && !held->initialized) {
+        return lag_instance_begin_at(instance);
+    }
+    if (!held->prepared) {
+        held->prepared = 1;
+        return lag_instance_judge(instance, lag_motion_parameters(&instance->run->motion, instance->p));
+    }
+    return LAG_OK;
+}
+
+/* Accelerations of the model, also for states off its constraints; in co-simulation those of rows. */
+static lag_status accelerations(lag_instance *instance)
+{
+    lag_motion *motion = &instance->run->motion;
+    const lag_held *held = &instance->held;
+    if (instance->fmu->model->nc == 0) {
+        return lag_motion_solve(motion, held->t, instance->x);
+    }
+    if (held->moving && !held->exchanged && lag_run_crosses(instance->fmu->model, &instance->run->options)) {
+        lag_run_solve(instance->run, held->t, instance->x, held->t <= instance->run->counts.entered);
+        return LAG_OK;
+    }
+    return lag_motion_pulled(motion, 0.0, held->t, instance->x, motion->qdd, motion->lam);
+}
+
+/* dx/dt; not finite values are an error here. */
+static lag_status rates(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_motion *motion = &instance->run->motion;
+    const size_t n = model->nq;
+    double *xd = instance->values.xd;
+    lag_status status = LAG_OK;
+    memcpy(xd, instance->x + n, n * sizeof(double));
+    if (model->nc > 0) {
+        status = lag_motion_pulled(motion, lag_instance_rate(instance), instance->held.t, instance->x, xd + n, instance->values.unasked);
+    } else {
+        memcpy(xd + n, motion->qdd, n * sizeof(double));
+    }
+    if (status == LAG_OK && model->nz > 0) {
+        status = model->state_derivative(&motion->at, xd + 2 * n);
+    }
+    return status == LAG_OK && !lag_finite(lag_motion_size(model), instance->values.xd) ? LAG_NOT_FINITE : status;
+}
+
+/* The largest residuals of positions and of velocities, rows of size one. */
+static lag_status residuals(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_values *values = &instance->values;
+    lag_projection *projection = &instance->run->projection;
+    lag_status status = LAG_OK;
+    values->residual[0] = values->residual[1] = values->slip = 0.0;
+    lag_projection_measure(projection, instance->x + model->nq);
+    for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
+        status = lag_projection_look(projection, level > 0);
+        for (size_t i = 0; i < model->nc; ++i) {
+            const double part = level > 0 || model->position_level[i] ? fabs(projection->phi[i]) / instance->run->sizes.rows[i] : 0.0;
+            status = status == LAG_OK && !isfinite(part) ? LAG_NOT_FINITE : status;
+            values->residual[level] = fmax(values->residual[level], part);
+            values->slip = level > 0 ? fmax(values->slip, part / lag_projection_pace(projection, i)) : 0.0;
+        }
+    }
+    return status;
+}
+
+static lag_status outputs(lag_instance *instance)
+{
+    const lag_model *model = instance->fmu->model;
+    const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->values.y) : LAG_OK;
+    if (status == LAG_OK) {
+        lag_run_unwind(instance->run, instance->values.y);
+    }
+    return status;
+}
+
+/* The values of one role; what they need is known. */
+static lag_status find(lag_instance *instance, unsigned role)
+{
+    const lag_model *model = instance->fmu->model;
+    lag_motion *motion = &instance->run->motion;
+    double *energy = instance->values.energy;
+    switch (role) {
+    case LAG_ROLE_MULTIPLIER:
+        return accelerations(instance);
+    case LAG_ROLE_DERIVATIVE:
+        return rates(instance);
+    case LAG_ROLE_OUTPUT:
+        return outputs(instance);
+    case LAG_ROLE_LOCAL:
+        return model->nd > 0 ? model->definition(&motion->at, instance->values.local) : LAG_OK;
+    case LAG_ROLE_ENERGY:
+        return model->energies(&motion->at, &energy[0], &energy[1], &energy[2], &energy[3]);
+    case LAG_ROLE_RESIDUAL:
+        return residuals(instance);
+    case LAG_ROLE_INDICATOR:
+        return lag_instance_find_indicators(instance);
+    default:
+        return lag_derivatives_look(&instance->derivatives, &motion->at, role == LAG_PULLED ? lag_instance_rate(instance) : 0.0, &motion->coordinate);
+    }
+}
+
+/* Indicators have accelerations of their own, and only one kind of derivatives is kept. */
+lag_status lag_instance_evaluate(lag_instance *instance, unsigned role)
+{
+    const lag_model *model = instance->fmu->model;
+    const unsigned kinds = 1U << LAG_DERIVATIVES | 1U << LAG_PULLED;
+    /* pulled accelerations need those of the model only where loads follow from these */
+    const int needs_motion = role != LAG_ROLE_MULTIPLIER && (role != LAG_ROLE_DERIVATIVE || model->nc == 0 || model->nz + model->nload > 0);
+    lag_status status = lag_instance_ready(instance);
+    if (status != LAG_OK || (instance->values.known & 1U << role) != 0) {
+        return status;
+    }
+    status = needs_motion ? lag_instance_evaluate(instance, LAG_ROLE_MULTIPLIER) : LAG_OK;
+    status = status == LAG_OK ? lag_instance_judge(instance, find(instance, role)) : status;
+    instance->values.known &= ~(role == LAG_ROLE_INDICATOR ? 1U << LAG_ROLE_MULTIPLIER : role >= LAG_ROLES ? kinds : 0);
+    instance->values.known |= status == LAG_OK ? 1U << role : 0;
+    return status;
+}
+
+lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
+{
+    instance->run->conditions.begun = 0;
+    instance->values.known = 0;
+    return instance->fmu->model->na > 0 ? lag_run_watch(instance->run, t, x, NULL) : LAG_OK;
+}
+
+/* ---- values ---- */
 
 /* 1: entries of x. */
 static int is_state(lag_role role)
@@ -20,16 +157,14 @@ static int is_motion(lag_role role)
 /* LAG_NOT_FINITE: a value of the motion that is none, or a whole number that an importer has no room for. */
 static lag_status check_found(lag_instance *instance, const lag_variable *variable, const double *values)
 {
-    const lag_model *model = instance->fmu->model;
     const int motion = is_motion((lag_role)variable->role);
+    const int whole = variable->type == LAG_TYPE_INTEGER;
     for (size_t i = 0; i < variable->count; ++i) {
-        if (motion && !isfinite(values[i])) {
-            return lag_instance_fail(
-                instance, LAG_NOT_FINITE, "t = %.10g s: %s is infinite or not a number", instance->held.t, variable->name);
-        }
-        if (variable->type == LAG_TYPE_INTEGER && !(fabs(values[i]) <= (double)INT32_MAX)) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "t = %.10g s: %s is %.10g, which an Integer cannot be", instance->held.t,
-                variable->role == LAG_ROLE_DISCRETE ? model->discretes[variable->first + i].name : variable->name, values[i]);
+        if ((motion && !isfinite(values[i])) || (whole && !(fabs(values[i]) <= (double)INT32_MAX))) {
+            const lag_slot *entries = variable->role == LAG_ROLE_DISCRETE ? instance->fmu->model->discretes + variable->first : NULL;
+            return lag_instance_fail(instance, LAG_NOT_FINITE,
+                whole ? "t = %.10g s: %s is %.10g, which an Integer cannot be" : "t = %.10g s: %s is infinite or not a number (%g)",
+                instance->held.t, entries != NULL ? entries[i].name : variable->name, values[i]);
         }
     }
     return LAG_OK;
@@ -40,58 +175,23 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
     return role == LAG_ROLE_MULTIPLIER && instance->fmu->row_factors != NULL ? instance->fmu->row_factors[index] : 1.0;
 }
 
-double lag_instance_value(const lag_instance *instance, const lag_variable *variable, size_t i)
-{
-    const lag_role role = (lag_role)variable->role;
-    return instance->values.of[role][variable->first + i] * lag_instance_factor(instance, role, variable->first + i);
-}
-
-lag_status lag_instance_look(lag_instance *instance, const lag_variable *variable)
-{
-    const lag_role role = (lag_role)variable->role;
-    const unsigned what = (1U << role) & LAG_FOLLOWING;
-    const int follows = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, variable);
-    const lag_status status = what != 0 ? lag_instance_evaluate(instance, what) : follows ? lag_instance_ready(instance) : LAG_OK;
-    if (status == LAG_OK && role == LAG_ROLE_INPUT && instance->held.polynomial) {
-        lag_instance_inputs_at(instance, instance->held.t, instance->run->motion.u);
-    }
-    return status;
-}
-
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values)
 {
     const lag_variable *which = &instance->fmu->variables[variable];
-    const lag_status status = lag_instance_look(instance, which);
+    const lag_role role = (lag_role)which->role;
+    const int plain = role == LAG_ROLE_TIME || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_OPTION || role == LAG_ROLE_PARAMETER;
+    const int held = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
+    const lag_status status = held ? lag_instance_ready(instance) : plain ? LAG_OK : lag_instance_evaluate(instance, role);
+    if (role == LAG_ROLE_INPUT) { /* the motion may have looked at them elsewhere in time */
+        lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
+    }
     for (size_t i = 0; i < which->count && status == LAG_OK; ++i) {
-        values[i] = lag_instance_value(instance, which, i);
+        values[i] = instance->values.of[role][which->first + i] * lag_instance_factor(instance, role, which->first + i);
     }
     return status == LAG_OK ? check_found(instance, which, values) : status;
 }
 
 /* ---- setting ---- */
-
-/* The values that entry `i` may have; null: any. */
-static const lag_range *range_of(const lag_fmu *fmu, const lag_variable *variable, size_t i)
-{
-    const lag_range *ranges = variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range :
-                              variable->role == LAG_ROLE_INPUT     ? fmu->inputs.range :
-                                                                     NULL;
-    return ranges == NULL ? NULL : ranges + variable->first + i;
-}
-
-static lag_status check_ranges(lag_instance *instance, const lag_variable *variable, const double *values)
-{
-    const lag_model *model = instance->fmu->model;
-    for (size_t i = 0; i < variable->count; ++i) {
-        const lag_range *range = range_of(instance->fmu, variable, i);
-        if (range != NULL && (values[i] < range->least || values[i] > range->most)) {
-            const lag_slot *slots = variable->role == LAG_ROLE_PARAMETER ? model->parameters : model->inputs;
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "%s is from %g to %g, not %g", slots[variable->first + i].name, range->least,
-                range->most, values[i]);
-        }
-    }
-    return LAG_OK;
-}
 
 /* 1: something changed. */
 static int put(size_t count, const double *values, double *array)
@@ -108,8 +208,7 @@ static int put(size_t count, const double *values, double *array)
 static int put_states(lag_instance *instance, const lag_variable *variable, const double *values)
 {
     int changed = 0;
-    if (instance->held.phase == LAG_PHASE_MOTION) {
-        lag_instance_tie(instance);
+    if (instance->held.moving) {
         changed = put(variable->count, values, instance->x + variable->first);
         lag_instance_follow_states(instance->fmu, instance->offsets, instance->x);
         return changed;
@@ -126,11 +225,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
 {
     const lag_variable *which = &instance->fmu->variables[variable];
     lag_held *held = &instance->held;
-    const lag_status status = check_ranges(instance, which, values);
     int changed = 0;
-    if (status != LAG_OK) {
-        return status;
-    }
     switch ((lag_role)which->role) {
     case LAG_ROLE_PARAMETER:
         changed = put(which->count, values, instance->starts.parameters + which->first);
@@ -145,9 +240,6 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
         lag_instance_set_inputs(instance, 0, which->first, which->count, values);
         return LAG_OK;
     case LAG_ROLE_OPTION:
-        if (values[0] < 0.0) {
-            return lag_instance_fail(instance, LAG_NOT_FINITE, "the length of steps cannot be %g s", values[0]);
-        }
         changed = put(1, values, &held->step);
         held->implicit = -1;
         break;

@@ -9,8 +9,7 @@ static const char *type_name(lag_type type)
     return names[type];
 }
 
-/* True if all references name variables of this type with `count` values in all, and no array is null. */
-static int consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count)
+int lag_shell_consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count)
 {
     if (lag_shell_lacks(shell, n > 0 && references == NULL, "the array of value references") ||
         lag_shell_lacks(shell, count > 0 && values == NULL, "the array of values")) {
@@ -40,7 +39,7 @@ static int consistent(lag_shell *shell, lag_type type, const uint32_t *reference
 
 int lag_shell_clocks(lag_shell *shell, const uint32_t *references, size_t n, const void *values)
 {
-    return consistent(shell, LAG_TYPE_CLOCK, references, n, values, n);
+    return lag_shell_consistent(shell, LAG_TYPE_CLOCK, references, n, values, n);
 }
 
 int32_t lag_shell_integer(double value)
@@ -79,7 +78,7 @@ static lag_answer ready(lag_shell *shell, uint32_t reference)
 
 lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, void *values, size_t count, lag_store *store)
 {
-    if (!consistent(shell, type, references, n, values, count)) {
+    if (!lag_shell_consistent(shell, type, references, n, values, count)) {
         return LAG_ANSWER_ERROR;
     }
     size_t place = 0;
@@ -170,6 +169,26 @@ static lag_answer refuse(lag_shell *shell, const lag_variable *variable)
     return lag_shell_say(shell, LAG_ANSWER_ERROR, format, variable->name);
 }
 
+/* 0, and told why: the value of entry `i` is infinite, no number, or beyond its range. */
+static int within(lag_shell *shell, const lag_variable *variable, size_t i, double value)
+{
+    const lag_fmu *fmu = shell->fmu;
+    const int is_input = variable->role == LAG_ROLE_INPUT;
+    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range : NULL;
+    const size_t entry = variable->first + i;
+    if (!isfinite(value)) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
+    } else if (variable->role == LAG_ROLE_OPTION && value < 0.0) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the length of steps cannot be %g s", value);
+    } else if (ranges != NULL && (value < ranges[entry].least || value > ranges[entry].most)) {
+        const lag_slot *slots = is_input ? fmu->model->inputs : fmu->model->parameters;
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is from %g to %g, not %g", slots[entry].name, ranges[entry].least, ranges[entry].most, value);
+    } else {
+        return 1;
+    }
+    return 0;
+}
+
 static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, const void *values, lag_fetch *fetch)
 {
     size_t place = 0;
@@ -181,8 +200,7 @@ static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, co
             return 0;
         }
         for (size_t k = 0; k < variable->count; ++k, ++place) {
-            if (!isfinite(fetch != NULL ? fetch(values, place) : ((const double *)values)[place])) {
-                (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
+            if (!within(shell, variable, k, fetch != NULL ? fetch(values, place) : ((const double *)values)[place])) {
                 return 0;
             }
         }
@@ -193,7 +211,7 @@ static int acceptable(lag_shell *shell, const uint32_t *references, size_t n, co
 lag_answer lag_shell_set(
     lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count, lag_fetch *fetch)
 {
-    if (!consistent(shell, type, references, n, values, count) || !acceptable(shell, references, n, values, fetch)) {
+    if (!lag_shell_consistent(shell, type, references, n, values, count) || !acceptable(shell, references, n, values, fetch)) {
         return LAG_ANSWER_ERROR;
     }
     lag_answer answer = LAG_ANSWER_OK;
@@ -222,7 +240,7 @@ lag_answer lag_shell_set(
 
 lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, size_t n, const char **values, size_t count)
 {
-    if (!consistent(shell, LAG_TYPE_STRING, references, n, values, count)) {
+    if (!lag_shell_consistent(shell, LAG_TYPE_STRING, references, n, values, count)) {
         return LAG_ANSWER_ERROR;
     }
     size_t place = 0;
@@ -242,7 +260,7 @@ lag_answer lag_shell_none(lag_shell *shell, size_t n, const char *type)
 
 lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *references, size_t n, const int *orders, const double *values)
 {
-    if (!consistent(shell, LAG_TYPE_REAL, references, n, values, n) || lag_shell_lacks(shell, n > 0 && orders == NULL, "the array of orders")) {
+    if (!lag_shell_consistent(shell, LAG_TYPE_REAL, references, n, values, n) || lag_shell_lacks(shell, n > 0 && orders == NULL, "the array of orders")) {
         return LAG_ANSWER_ERROR;
     }
     for (size_t i = 0; i < n; ++i) {
@@ -258,26 +276,6 @@ lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *ref
         if (status != LAG_OK) {
             return lag_shell_refused(shell, status);
         }
-    }
-    return LAG_ANSWER_OK;
-}
-
-lag_answer lag_shell_get_output_derivatives(
-    lag_shell *shell, const uint32_t *references, size_t n, const int32_t *orders, double *values, size_t count)
-{
-    if (!consistent(shell, LAG_TYPE_REAL, references, n, values, count) || lag_shell_lacks(shell, n > 0 && orders == NULL, "the array of orders")) {
-        return LAG_ANSWER_ERROR;
-    }
-    size_t place = 0;
-    for (size_t i = 0; i < n; ++i) {
-        if (orders[i] < 1) {
-            return lag_shell_say(shell, LAG_ANSWER_ERROR, "orders of derivatives are at least 1");
-        }
-        const lag_status status = lag_instance_get_output_derivative(shell->instance, references[i], orders[i], values + place);
-        if (status != LAG_OK) {
-            return lag_shell_judge(shell, status);
-        }
-        place += shell->fmu->variables[references[i]].count;
     }
     return LAG_ANSWER_OK;
 }

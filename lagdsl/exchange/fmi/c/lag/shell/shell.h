@@ -151,18 +151,19 @@ int32_t lag_shell_integer(double value);
 lag_answer lag_shell_none(lag_shell *shell, size_t n, const char *type);
 /* In initialization: the state that follows from what was set. */
 lag_answer lag_shell_initialized(lag_shell *shell);
+/* True if all references name variables of this type with `count` values in all, and no array is null. */
+int lag_shell_consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count);
 /* Of real variables, with an order each. */
 lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *references, size_t n, const int *orders, const double *values);
-lag_answer lag_shell_get_output_derivatives(
-    lag_shell *shell, const uint32_t *references, size_t n, const int32_t *orders, double *values, size_t count);
 
 /* ---- directional_derivatives.c ---- */
 
-typedef lag_status lag_slope(lag_instance *, const lag_known *, size_t, const lag_known *, size_t, const double *, double *);
-
-/* lag_instance_directional or lag_instance_adjoint; sizes are those of the arguments, entry by entry. */
-lag_answer lag_shell_slopes(lag_shell *shell, lag_slope *slope, const uint32_t *unknowns, size_t nunknown, const uint32_t *knowns,
-    size_t nknown, const double *seed, size_t nseed, double *sensitivity, size_t nsensitivity, int adjoint);
+/* Sizes are those of the arguments, entry by entry. */
+lag_answer lag_shell_slopes(lag_shell *shell, int adjoint, const uint32_t *unknowns, size_t nunknown, const uint32_t *knowns,
+    size_t nknown, const double *seed, size_t nseed, double *sensitivity, size_t nsensitivity);
+/* Of real variables, in time, with an order each. */
+lag_answer lag_shell_get_output_derivatives(
+    lag_shell *shell, const uint32_t *references, size_t n, const int32_t *orders, double *values, size_t count);
 
 /* ---- lifecycle.c ---- */
 

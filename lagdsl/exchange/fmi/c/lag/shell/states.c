@@ -6,7 +6,7 @@
 
 size_t lag_shell_order(const lag_shell *shell)
 {
-    return lag_instance_state_count(shell->fmu);
+    return shell->fmu->states.count;
 }
 
 /* True if an array of the importer has `expected` numbers. */
@@ -76,7 +76,7 @@ lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n)
 
 lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n)
 {
-    if (!fits(shell, g, n, lag_instance_indicator_count(shell->fmu), "event indicators")) {
+    if (!fits(shell, g, n, shell->fmu->indicators.count, "event indicators")) {
         return LAG_ANSWER_ERROR;
     }
     return evaluate(shell, lag_instance_indicators, g, n);
@@ -88,7 +88,7 @@ lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n)
         return LAG_ANSWER_ERROR;
     }
     for (size_t i = 0; i < n; ++i) {
-        nominal[i] = shell->fmu->nominal[lag_instance_state_entry(shell->fmu, i)];
+        nominal[i] = shell->fmu->nominal[shell->fmu->states.entries[i]];
     }
     return LAG_ANSWER_OK;
 }
