@@ -175,13 +175,19 @@
 #undef gather
 #undef place
 
-#define find_parts initial_rates_find_parts
 #define place initial_rates_place
 #include "lag/initial/initial_rates.c"
-#undef find_parts
 #undef place
 
+#define find_parts initial_rates_branch_find_parts
 #include "lag/initial/initial_rates_branch.c"
+#undef find_parts
+
+#include "lag/initial/initial_rates_conditions.c"
+
+#define solve initial_rates_energy_solve
+#include "lag/initial/initial_rates_energy.c"
+#undef solve
 
 #include "lag/initial/initial_row_sizes.c"
 

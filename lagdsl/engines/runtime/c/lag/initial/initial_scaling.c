@@ -218,17 +218,6 @@ int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j
     return k < entries.end && b->pattern[entries.before + k] != 0.0;
 }
 
-void lag_initialization_spread(const lag_initialization *b, double *dense)
-{
-    const lag_model *model = b->motion->model;
-    for (size_t i = 0; i < model->nc; ++i) {
-        const lag_entries entries = lag_entries_of(model, i);
-        for (size_t k = entries.first; k < entries.end; ++k) {
-            dense[i * model->nq + lag_entry_column(&entries, k)] = b->pattern[entries.before + k];
-        }
-    }
-}
-
 /* Parts of the rows where the model tells their entries; else from these at points about q. */
 static lag_parts find_parts(lag_initialization *b, const double *q)
 {

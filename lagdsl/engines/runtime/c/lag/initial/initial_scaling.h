@@ -9,6 +9,8 @@
 #define LAG_HOLDS 1e-7
 /* Rows of J that are shorter than this part of the largest are zero but for round-off. */
 static const double LAG_NO_ROW = 1e-12;
+/* A part of J whose largest singular value is below this has no content but round-off. */
+static const double LAG_CONTENT = 1e-3;
 
 /* (2 nq + nz) the start values x, with flags of them and what they weigh. */
 typedef struct lag_start_values {
@@ -74,9 +76,8 @@ void lag_initialization_find_pattern(lag_initialization *b);
 /* 1: the parameters are those of the model. */
 int lag_initialization_has_defaults(const lag_initialization *b);
 
-/* 1: row `row` depends on coordinate j somewhere. The same of all, into `dense` (nc, nq). */
+/* 1: row `row` depends on coordinate j somewhere. */
 int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j);
-void lag_initialization_spread(const lag_initialization *b, double *dense);
 
 /* Parameters were changed: they are prepared, and discretes are those of the start with them. */
 void lag_initialization_parameters(lag_initialization *b);
