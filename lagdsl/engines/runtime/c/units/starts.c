@@ -175,9 +175,7 @@
 #undef gather
 #undef place
 
-#define place initial_rates_place
 #include "lag/initial/initial_rates.c"
-#undef place
 
 #define find_parts initial_rates_branch_find_parts
 #include "lag/initial/initial_rates_branch.c"

@@ -33,7 +33,7 @@ static lag_directions place_directions(size_t n, double *memory)
     return (lag_directions){.part = lag_take(&memory, n), .first = lag_take(&memory, n), .numbers = lag_take(&memory, n * n)};
 }
 
-static void place(lag_rates *r, lag_initialization *b)
+static void lay_out(lag_rates *r, lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
     const size_t n = model->nq;
@@ -257,7 +257,7 @@ void lag_initialization_find_qd(lag_initialization *b, double *x)
     if (b->motion->model->nc == 0 && b->equations.slopes == NULL) {
         return;
     }
-    place(&r, b);
+    lay_out(&r, b);
     turn_rates(b, x);
     memcpy(b->q, x, n * sizeof(double));
     lag_fill(n, 0.0, b->qd);
