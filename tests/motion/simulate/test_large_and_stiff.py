@@ -98,7 +98,7 @@ def test_what_is_raised_while_directions_are_made_is_raised(monkeypatch: pytest.
 
 
 def test_directions_are_not_made_for_the_few_of_a_band(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Columns that share no row are one direction: the functions of several take longer to make than these few to follow."""
+    """Columns that share no row are one direction: so few are followed sooner than functions of several are made."""
     made: list[TapeEngine] = []
     monkeypatch.setattr(TapeEngine, "along", made.append)
     motion = lagdsl.compile(CHAIN, engine="tape").simulate(stop=0.01, interval=0.01, solver="radau")
