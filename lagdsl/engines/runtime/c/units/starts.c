@@ -137,6 +137,10 @@
 #include "lag/initial/initial.c"
 #undef copy
 
+#define find_rows initial_count_find_rows
+#include "lag/initial/initial_count.c"
+#undef find_rows
+
 #define open_parts initial_equations_open_parts
 #define place initial_equations_place
 #include "lag/initial/initial_equations.c"
@@ -190,11 +194,9 @@
 #include "lag/initial/initial_row_sizes.c"
 
 #define find_parts initial_scaling_find_parts
-#define find_rows initial_scaling_find_rows
 #define find_sizes initial_scaling_find_sizes
 #include "lag/initial/initial_scaling.c"
 #undef find_parts
-#undef find_rows
 #undef find_sizes
 
 #define gather nearest_along_path_gather

@@ -80,11 +80,6 @@ static void record_violated(lag_rates *r, size_t which, double residual)
     }
 }
 
-double lag_rates_least(const lag_svd *svd, double least)
-{
-    return least * fmax(1.0, LAG_CONTENT / svd->value[0]);
-}
-
 /* v of minimum norm, and what it leaves free; 0: the conditions contradict each other, which is told. */
 static int satisfy(lag_rates *r, size_t which)
 {
@@ -102,7 +97,7 @@ static int satisfy(lag_rates *r, size_t which)
         with_equations = with_equations || (r->b->equations.slopes != NULL && row >= model->nc && row < model->nc + model->ne);
     }
     const lag_svd svd = lag_svd_of(count, n, r->its.block, r->svd);
-    const double least = lag_rates_least(&svd, with_equations ? LAG_ROUGH_RANK : LAG_RANK); /* their derivatives are differences */
+    const double least = lag_initialization_least(&svd, with_equations ? LAG_ROUGH_RANK : LAG_RANK); /* their derivatives are differences */
     const size_t rank = lag_svd_rank(&svd, least);
     lag_svd_solve(&svd, r->its.right, least, 0.0, r->its.v);
     for (size_t i = 0; i < count; ++i) {

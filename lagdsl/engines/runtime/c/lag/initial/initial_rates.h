@@ -3,7 +3,6 @@
 #define LAG_INITIAL_RATES_H
 
 #include "lag/initial/initial_scaling.h"
-#include "lag/linalg/svd.h"
 
 /* Rates that conditions tie, as if they were alone. */
 typedef struct lag_rates_part {
@@ -64,9 +63,6 @@ void lag_rates_state_conditions(lag_rates *r, const double *x);
 void lag_rates_find_parts(lag_rates *r);
 /* The conditions of a part (rows, columns). */
 void lag_rates_gather(const lag_rates *r, size_t which, double *block);
-
-/* The part of the largest singular value of a part's rows that is round-off, where it is `least` of rows with content. */
-double lag_rates_least(const lag_svd *svd, double least);
 
 /* Row `row` of J in natural sizes, into the columns of its part (zeros before). */
 void lag_rates_row(const lag_rates *r, size_t row, double *line);

@@ -204,7 +204,7 @@ static size_t find_vanishing(lag_rates *r, size_t which, size_t *end)
         r->branch.numbers[*end] = 1.0;
     } else if (count > 0) {
         const lag_svd svd = lag_svd_of(columns, count, r->branch.turned, r->svd);
-        rank = lag_svd_rank(&svd, lag_rates_least(&svd, LAG_ROUGH_RANK));
+        rank = lag_svd_rank(&svd, lag_initialization_least(&svd, LAG_ROUGH_RANK));
         memcpy(r->branch.numbers + *end, svd.v + rank * count, (count - rank) * count * sizeof(double));
     }
     for (size_t i = rank; i < count; ++i, *end += count) {

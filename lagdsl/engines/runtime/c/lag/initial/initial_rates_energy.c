@@ -1,5 +1,6 @@
 /* Rates that nothing asks for: the change from the wanted ones has the least kinetic energy. */
 #include <math.h>
+#include <string.h>
 
 #include "lag/initial/initial_rates.h"
 #include "lag/linalg/arena.h"
@@ -46,24 +47,43 @@ static void push(lag_rates *r, const double *mass, size_t which)
     }
 }
 
-/* x (count) of K x = `right`; of several the shortest. */
-static const double *solve(lag_rates *r, const lag_parts *tied, size_t which, size_t count, double *right)
+/* K of directions that are tied, each as long that its own entry is one; 0: one has no energy. */
+static int scale(size_t count, double *block, double *scales)
 {
-    const size_t width = r->free.count;
-    double *block = r->its.block;
-    double largest = 0.0;
-    (void)lag_parts_gather(tied, which, width, r->inner, block);
     for (size_t i = 0; i < count; ++i) {
-        largest = fmax(largest, block[i * count + i]);
+        if (!(block[i * count + i] > 0.0)) {
+            return 0;
+        }
+        scales[i] = 1.0 / sqrt(block[i * count + i]);
     }
-    if (lag_cholesky(count, block, LAG_RANK * largest) == count) {
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 0; k < count; ++k) {
+            block[i * count + k] *= scales[i] * scales[k];
+        }
+    }
+    return 1;
+}
+
+/* x (count) of K x = `right`, in its place; of several the shortest. */
+static void solve(lag_rates *r, const lag_parts *tied, size_t which, size_t count, double *right)
+{
+    double *block = r->its.block;
+    double *scales = r->its.v;
+    (void)lag_parts_gather(tied, which, r->free.count, r->inner, block);
+    if (scale(count, block, scales) && lag_cholesky(count, block, LAG_RANK) == count) {
+        for (size_t i = 0; i < count; ++i) {
+            right[i] *= scales[i];
+        }
         lag_cholesky_solve(count, block, right);
-        return right;
+        for (size_t i = 0; i < count; ++i) {
+            right[i] *= scales[i];
+        }
+        return;
     }
-    (void)lag_parts_gather(tied, which, width, r->inner, block);
+    (void)lag_parts_gather(tied, which, r->free.count, r->inner, block);
     const lag_svd svd = lag_svd_of(count, count, block, r->svd);
-    lag_svd_solve(&svd, right, LAG_RANK, 0.0, r->its.v);
-    return r->its.v;
+    lag_svd_solve(&svd, right, LAG_RANK, 0.0, r->its.wanted);
+    memcpy(right, r->its.wanted, count * sizeof(double));
 }
 
 void lag_initialization_least_energy(lag_rates *r)
@@ -97,9 +117,9 @@ void lag_initialization_least_energy(lag_rates *r)
             r->its.right[i] = r->part[(size_t)tied.row[first + i]];
         }
         if (lag_any(count, r->its.right)) {
-            const double *along = solve(r, &tied, which, count, r->its.right);
+            solve(r, &tied, which, count, r->its.right);
             for (size_t i = 0; i < count; ++i) {
-                lag_rates_move(r, &r->free, (size_t)tied.row[first + i], along[i], r->v);
+                lag_rates_move(r, &r->free, (size_t)tied.row[first + i], r->its.right[i], r->v);
             }
         }
     }

@@ -4,6 +4,7 @@
 
 #include "lag/initial.h"
 #include "lag/initial/nearest_configuration.h"
+#include "lag/linalg/svd.h"
 
 /* Residuals, as a part of the row's size, below which a constraint counts as met. */
 #define LAG_HOLDS 1e-7
@@ -94,6 +95,9 @@ double lag_initialization_draw(unsigned long long *seed);
 
 /* 1: rows that last, of contacts none, and are independent in general, are clearly so in J as it was evaluated last. */
 int lag_initialization_is_regular(lag_initialization *b, double *memory);
+
+/* The part of the largest singular value of a part's rows that is round-off, where it is `least` of rows with content. */
+double lag_initialization_least(const lag_svd *svd, double least);
 
 /* Independent rows of J as it was evaluated last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
 size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
