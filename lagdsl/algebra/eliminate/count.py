@@ -14,7 +14,8 @@ _PARAMETER = 1 << Group.P
 def flops(graph: Graph, roots: Iterable[int]) -> int:
     """Additions, subtractions, multiplications and divisions of one evaluation. Nodes that depend on parameters alone
     are computed once and not counted; nor are functions and changes of sign."""
-    return sum(1 for node in graph.live(roots) if graph.op[node] in _COUNTED and graph.groups[node] & ~_PARAMETER)
+    ops, groups, others = graph.op, graph.groups, ~_PARAMETER
+    return len([node for node in graph.live(roots) if ops[node] in _COUNTED and groups[node] & others])
 
 
 class TooMany(Exception):  # noqa: N818  it is a reason to try something else

@@ -127,14 +127,15 @@ class Graph:
         return self._make_binary(_SUBTRACT, x, y)
 
     def multiply(self, x: int, y: int) -> int:
-        zero = self.zero
-        if zero in (x, y):
+        zero, one = self.zero, self.one
+        if x == zero or y == zero:  # noqa: PLR1714 a tuple takes as long as the rest
             return zero
-        if x == self.one:
+        if x == one:
             return y
-        if y == self.one:
+        if y == one:
             return x
-        op_x, op_y = self.op[x], self.op[y]
+        ops = self.op
+        op_x, op_y = ops[x], ops[y]
         if op_y is _CONSTANT or op_x is _CONSTANT:
             return self._multiply_by_constant(x, y) if op_x is _CONSTANT else self._multiply_by_constant(y, x)
         if op_x is _NEGATE:

@@ -32,13 +32,19 @@ def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int
     known: dict[int, tuple[int, int]] = {}
     operands, nodes = graph.operands, graph.live(elements)
     last = {operand: node for node in nodes for operand in operands[node]} | dict.fromkeys(elements, -1)
+    of = known.get
     for node in nodes:
-        own = dict.fromkeys(operands[node])
-        sets = [known[operand] for operand in own if operand in known]
+        own = operands[node]
         if node in places:
             known[node] = places[node], 1
-        elif sets:
-            known[node] = _union(sets)
+        elif own:
+            found = of(own[0])
+            for operand in own[1:]:
+                other = of(operand)
+                if other is not None and other is not found:
+                    found = other if found is None else _union(found, other)
+            if found is not None:
+                known[node] = found
         for operand in own:
             if last[operand] == node:
                 known.pop(operand, None)
@@ -68,15 +74,13 @@ def _numbered(graph: Graph, elements: Sequence[int], first: Mapping[Group, int])
     return np.array(numbers, dtype=np.intp), places
 
 
-def _union(sets: Sequence[tuple[int, int]]) -> tuple[int, int]:
+def _union(one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
     """Of sets with the place of their first member and their bits from there on."""
-    if len(sets) == 1:
-        return sets[0]
-    begin = min(place for place, _ in sets)
-    found = 0
-    for place, bits in sets:
-        found |= bits << place - begin
-    return begin, found
+    (place, bits), (place_of_other, bits_of_other) = one, other
+    if place > place_of_other:
+        return place_of_other, bits_of_other | bits << place - place_of_other
+    found = bits | bits_of_other << place_of_other - place
+    return one if found == bits else (place, found)
 
 
 def _members(place: int, bits: int) -> Indices:

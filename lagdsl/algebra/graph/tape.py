@@ -48,14 +48,17 @@ class Tape:
         self._initial: list[float] = []
         self._symbols: list[tuple[int, Group, int]] = []
         self._steps: list[tuple[int, Callable[..., float], tuple[int, ...]]] = []
+        ops, operands = graph.op, graph.operands
         for slot, node in enumerate(graph.live(self._roots)):
             slots[node] = slot
-            op = graph.op[node]
-            self._initial.append(graph.value[node] if op is Op.CONSTANT else 0.0)
-            if op is Op.SYMBOL:
+            op, own = ops[node], operands[node]
+            self._initial.append(constants[node] if op is Op.CONSTANT else 0.0)
+            if len(own) == 2:  # most nodes
+                self._steps.append((slot, _FAST[op], (slots[own[0]], slots[own[1]])))
+            elif own:
+                self._steps.append((slot, _FAST[op], tuple([slots[x] for x in own])))
+            elif op is Op.SYMBOL:
                 self._symbols.append((slot, graph.group(node), graph.b[node]))
-            elif op is not Op.CONSTANT:
-                self._steps.append((slot, _FAST[op], tuple(slots[x] for x in graph.arguments(node))))
         self._results = [slots[node] for node in self._roots]
 
     def __call__(self, symbols: Mapping[Group, list[float] | float]) -> NDArray[np.float64]:

@@ -79,7 +79,10 @@ class _Plain:
         """Terms in it that are differentiated."""
         done, found = self.done, []
         for node in postorder(expression, done):
-            if isinstance(node, fx.Derivative):
+            if type(node) is fx.Binary:  # most nodes
+                if node.operator in _ARITHMETIC and id(node.left) in done and id(node.right) in done:
+                    done[id(node)] = node
+            elif isinstance(node, fx.Derivative):
                 found.append(node.operand)
             elif self._is_plain(node) and all(id(part) in done for part in operands(node)):
                 done[id(node)] = node

@@ -93,6 +93,10 @@ def postorder(expression: fx.FlatExpression, done: Container[int] = ()) -> Itera
         if key in seen or key in done:
             continue
         seen.add(key)
+        if type(node) is fx.Binary:  # most nodes
+            waiting.append(node)
+            stack += (None, node.right, node.left)
+            continue
         below = operands(node)
         if not below:
             yield node

@@ -94,4 +94,13 @@ def test_what_is_raised_while_directions_are_made_is_raised(monkeypatch: pytest.
 
     monkeypatch.setattr(TapeEngine, "along", made)
     with pytest.raises(MemoryError, match="no room"):
-        lagdsl.compile(CHAIN, engine="tape").simulate(stop=0.01, interval=0.01, solver="radau")
+        lagdsl.compile(COUPLED, engine="tape").simulate(stop=0.01, interval=0.01, solver="radau")
+
+
+def test_directions_are_not_made_for_the_few_of_a_band(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Columns that share no row are one direction: so few are followed sooner than functions of several are made."""
+    made: list[TapeEngine] = []
+    monkeypatch.setattr(TapeEngine, "along", made.append)
+    motion = lagdsl.compile(CHAIN, engine="tape").simulate(stop=0.01, interval=0.01, solver="radau")
+    assert motion.statistics.jacobians > 0
+    assert not made

@@ -45,6 +45,8 @@ def _without_switches(roots: Sequence[fx.FlatExpression], branching: dict[str, R
 
 def check_changing_inertia(flat: fm.FlatModel, dependence: Dependence, sink: Sink) -> None:
     """N0521 for each discrete variable of which the kinetic energy is made: what is kept where it changes."""
+    if not flat.events.discretes:
+        return
     inertias = [term.value for term in flat.energies if term.kind == "kinetic"]
     inertias += [mass.mass for mass in flat.masses]
     inertias += [x for body in flat.bodies for x in (body.mass, *body.com, *body.inertia)]

@@ -137,6 +137,10 @@
 #include "lag/initial/initial.c"
 #undef copy
 
+#define find_rows initial_count_find_rows
+#include "lag/initial/initial_count.c"
+#undef find_rows
+
 #define open_parts initial_equations_open_parts
 #define place initial_equations_place
 #include "lag/initial/initial_equations.c"
@@ -175,22 +179,24 @@
 #undef gather
 #undef place
 
-#define find_parts initial_rates_find_parts
-#define place initial_rates_place
 #include "lag/initial/initial_rates.c"
-#undef find_parts
-#undef place
 
+#define find_parts initial_rates_branch_find_parts
 #include "lag/initial/initial_rates_branch.c"
+#undef find_parts
+
+#include "lag/initial/initial_rates_conditions.c"
+
+#define solve initial_rates_energy_solve
+#include "lag/initial/initial_rates_energy.c"
+#undef solve
 
 #include "lag/initial/initial_row_sizes.c"
 
 #define find_parts initial_scaling_find_parts
-#define find_rows initial_scaling_find_rows
 #define find_sizes initial_scaling_find_sizes
 #include "lag/initial/initial_scaling.c"
 #undef find_parts
-#undef find_rows
 #undef find_sizes
 
 #define gather nearest_along_path_gather

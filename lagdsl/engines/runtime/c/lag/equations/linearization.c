@@ -195,7 +195,8 @@ lag_status lag_motion_linearize(void *context, double t, const double *x, double
 {
     lag_motion *motion = context;
     const lag_model *model = motion->model;
-    const lag_along along = lag_motion_functions(motion);
+    const size_t directions = lag_pattern_groups(lag_motion_size(model), model->patterns->group);
+    const lag_along along = lag_motion_functions(motion, directions);
     functions f;
     places to;
     lag_status status = lag_motion_solve(motion, t, x);

@@ -76,11 +76,11 @@ static lag_status jacobian_with_loads(lag_motion *motion, double t, const double
     return status;
 }
 
-/* True if there are functions of several directions for the present parameters. */
-static int is_along(lag_motion *motion)
+/* True if there are functions of several directions for the present parameters, and `directions` are many. */
+static int is_along(lag_motion *motion, size_t directions)
 {
     lag_motion_along *along = &motion->along;
-    if (along->tell == NULL || lag_motion_size(motion->model) < MANY_DIRECTIONS) {
+    if (along->tell == NULL || directions < MANY_DIRECTIONS) {
         return 0;
     }
     if (!along->asked) {
@@ -99,9 +99,9 @@ static int is_along(lag_motion *motion)
     return along->prepared;
 }
 
-lag_along lag_motion_functions(lag_motion *motion)
+lag_along lag_motion_functions(lag_motion *motion, size_t directions)
 {
-    return is_along(motion) ? motion->along.told : (lag_along){motion->model, NULL, motion->at.workspace, motion->memory};
+    return is_along(motion, directions) ? motion->along.told : (lag_along){motion->model, NULL, motion->at.workspace, motion->memory};
 }
 
 static lag_status jacobian(void *context, double t, const double *x, double *matrix)
@@ -112,7 +112,7 @@ static lag_status jacobian(void *context, double t, const double *x, double *mat
     }
     lag_motion_set_state(motion, t, x);
     const lag_range state = {0, lag_motion_size(motion->model)};
-    const lag_along by = lag_motion_functions(motion);
+    const lag_along by = lag_motion_functions(motion, lag_motion_size(motion->model));
     lag_arguments at = motion->at;
     at.context = by.model->context;
     at.workspace = by.workspace;

@@ -74,8 +74,8 @@ size_t lag_motion_memory(const lag_model *model);
 /* Lays out `motion` in `memory`, which is zero; u and w are zero, p the defaults. It must not be moved afterwards. */
 void lag_motion_place(lag_motion *motion, const lag_model *model, double *memory);
 
-/* The functions of several directions for the present parameters; without `tangents`, and then of the model itself: there are none. */
-lag_along lag_motion_functions(lag_motion *motion);
+/* The functions of several directions for the present parameters; without `tangents`, and then of the model itself: there are none, or `directions` are few. */
+lag_along lag_motion_functions(lag_motion *motion, size_t directions);
 
 /* Other parameters (np), which must stay: prepares the workspace. */
 lag_status lag_motion_parameters(lag_motion *motion, const double *p);

@@ -18,8 +18,6 @@
 
 /* J is known to so many residuals; a point is as good as exact if that is better than roughly. */
 static const double KNOWN = 1e3;
-/* A part whose largest singular value is below this has no content but round-off. */
-static const double CONTENT = 1e-3;
 static const double SHORTER = 0.6;
 enum { WANTED = 3, TRIES = 24 };
 
@@ -233,7 +231,7 @@ static int find_ranks(walk *w, double residual)
         finite = lag_finite(rows * columns, w->block);
         if (finite && rows > 0 && columns > 0) {
             const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);
-            const double least = fmax(LAG_RANK, KNOWN * residual) * fmax(svd.value[0], CONTENT);
+            const double least = fmax(LAG_RANK, KNOWN * residual) * fmax(svd.value[0], LAG_CONTENT);
             size_t rank = 0;
             while (rank < svd.k && svd.value[rank] > least) {
                 ++rank;

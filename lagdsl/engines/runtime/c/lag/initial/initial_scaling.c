@@ -1,5 +1,4 @@
 #include "lag/equations/entries.h"
-#include "lag/equations/rank.h"
 #include "lag/initial/initial_scaling.h"
 
 #include <float.h>
@@ -8,9 +7,7 @@
 
 #include "lag/methods/accuracy.h"
 #include "lag/equations/discretes.h"
-#include "lag/linalg/finite.h"
 #include "lag/linalg/arena.h"
-#include "lag/linalg/svd.h"
 
 /* A written start value that cannot be held weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
@@ -119,82 +116,6 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
     }
 }
 
-size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *memory)
-{
-    if (count == 0 || width == 0 || !lag_finite(count * width, matrix)) {
-        return 0;
-    }
-    const lag_svd svd = lag_svd_of(count, width, matrix, memory);
-    return lag_svd_rank(&svd, LAG_RANK);
-}
-
-size_t lag_initialization_look_memory(const lag_model *model)
-{
-    const size_t dense = model->nc * model->nq + lag_svd_memory(model->nc, model->nq);
-    return model->nc + lag_larger(lag_rank_estimate_memory(model), dense);
-}
-
-int lag_initialization_is_regular(lag_initialization *b, double *memory)
-{
-    const lag_model *model = b->motion->model;
-    double *lasting = lag_take(&memory, model->nc);
-    lag_rank_estimate estimate;
-    lag_fill(model->nc, 1.0, lasting);
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        lasting[model->contact_rows[i]] = 0.0;
-    }
-    for (size_t i = 0; i < model->nslip; ++i) {
-        lasting[model->friction_rows[i]] = 0.0;
-    }
-    lag_rank_estimate_place(&estimate, model, b->sizes, b->row_sizes, memory);
-    estimate.lasting = lasting;
-    return lag_rank_estimate_update(&estimate, b->jacobian) == LAG_OK;
-}
-
-/* Flags (nc) of rows of J that are not zero. Returns how many of these are independent in general; nc + 1: some may depend on those that are zero. */
-static size_t find_rows(const lag_initialization *b, double *there)
-{
-    const lag_model *model = b->motion->model;
-    size_t count = 0;
-    size_t zero = 0;
-    size_t redundant = 0;
-    for (size_t i = 0; i < model->nc; ++i) {
-        const lag_entries entries = lag_entries_of(model, i);
-        const int depends = model->redundant != NULL && model->redundant[i];
-        there[i] = 0.0;
-        for (size_t k = entries.first; k < entries.end; ++k) {
-            there[i] = b->jacobian[i * model->nq + lag_entry_column(&entries, k)] != 0.0 ? 1.0 : there[i];
-        }
-        zero += there[i] == 0.0;
-        redundant += there[i] != 0.0 && depends;
-        count += there[i] != 0.0 && !depends;
-    }
-    return zero > 0 && redundant > 0 ? model->nc + 1 : count;
-}
-
-size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory)
-{
-    const lag_model *model = b->motion->model;
-    double *there = lag_take(&memory, model->nc);
-    const size_t count = find_rows(b, there);
-    lag_rank_estimate estimate;
-    if (count == 0 || (as_compiled && count <= model->nc)) {
-        lag_rank_estimate_place(&estimate, model, b->sizes, b->row_sizes, memory);
-        estimate.lasting = there;
-        estimate.most = count;
-        if (lag_rank_estimate_update(&estimate, b->jacobian) == LAG_OK) {
-            return count;
-        }
-    }
-    double *matrix = lag_take(&memory, model->nc * model->nq);
-    for (size_t i = 0; i < model->nc; ++i) {
-        for (size_t j = 0; j < model->nq; ++j) {
-            matrix[i * model->nq + j] = b->jacobian[i * model->nq + j] * b->sizes[j] / b->row_sizes[i];
-        }
-    }
-    return lag_initialization_rank(model->nc, model->nq, matrix, memory);
-}
-
 /* ---- sizes ---- */
 
 void lag_initialization_find_pattern(lag_initialization *b)
@@ -216,17 +137,6 @@ int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j
         ++k;
     }
     return k < entries.end && b->pattern[entries.before + k] != 0.0;
-}
-
-void lag_initialization_spread(const lag_initialization *b, double *dense)
-{
-    const lag_model *model = b->motion->model;
-    for (size_t i = 0; i < model->nc; ++i) {
-        const lag_entries entries = lag_entries_of(model, i);
-        for (size_t k = entries.first; k < entries.end; ++k) {
-            dense[i * model->nq + lag_entry_column(&entries, k)] = b->pattern[entries.before + k];
-        }
-    }
 }
 
 /* Parts of the rows where the model tells their entries; else from these at points about q. */

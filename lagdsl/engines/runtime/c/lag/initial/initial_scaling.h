@@ -4,11 +4,14 @@
 
 #include "lag/initial.h"
 #include "lag/initial/nearest_configuration.h"
+#include "lag/linalg/svd.h"
 
 /* Residuals, as a part of the row's size, below which a constraint counts as met. */
 #define LAG_HOLDS 1e-7
 /* Rows of J that are shorter than this part of the largest are zero but for round-off. */
 static const double LAG_NO_ROW = 1e-12;
+/* A part of J whose largest singular value is below this has no content but round-off. */
+static const double LAG_CONTENT = 1e-3;
 
 /* (2 nq + nz) the start values x, with flags of them and what they weigh. */
 typedef struct lag_start_values {
@@ -74,9 +77,8 @@ void lag_initialization_find_pattern(lag_initialization *b);
 /* 1: the parameters are those of the model. */
 int lag_initialization_has_defaults(const lag_initialization *b);
 
-/* 1: row `row` depends on coordinate j somewhere. The same of all, into `dense` (nc, nq). */
+/* 1: row `row` depends on coordinate j somewhere. */
 int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j);
-void lag_initialization_spread(const lag_initialization *b, double *dense);
 
 /* Parameters were changed: they are prepared, and discretes are those of the start with them. */
 void lag_initialization_parameters(lag_initialization *b);
@@ -93,6 +95,9 @@ double lag_initialization_draw(unsigned long long *seed);
 
 /* 1: rows that last, of contacts none, and are independent in general, are clearly so in J as it was evaluated last. */
 int lag_initialization_is_regular(lag_initialization *b, double *memory);
+
+/* The part of the largest singular value of a part's rows that is round-off, where it is `least` of rows with content. */
+double lag_initialization_least(const lag_svd *svd, double least);
 
 /* Independent rows of J as it was evaluated last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
 size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
