@@ -18,8 +18,8 @@ STEPS = 1000
 # Of the first call, after which it is known what a step takes.
 FIRST_STEPS = 50
 MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
-# First steps are short, and those of another method may be much longer: the work so far foretells at most so many times as
-# much. So the compiler starts a hundredth of the work later for which it pays.
+# First steps are short, and those of another method may be much longer: the work so far foretells at most so many times
+# as much. So the compiler starts a hundredth of the work later for which it pays.
 FORETOLD = 100
 
 
