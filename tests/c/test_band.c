@@ -21,7 +21,7 @@ static void solutions_agree(size_t n, size_t lower, size_t upper, size_t parts, 
     double *dense = calloc(parts * n * n, sizeof(double));
     double *narrow = calloc(parts * n * lag_band_width(&band), sizeof(double));
     double right[2][2 * MOST];
-    double pivot[MOST];
+    double pivot[2 * MOST];
     for (size_t i = 0; i < n; ++i) {
         for (size_t j = lag_band_first(&band, i); j < lag_band_end(&band, i); ++j) {
             for (size_t part = 0; part < parts; ++part) {
@@ -60,13 +60,34 @@ static void a_singular_matrix_is_told(void)
 {
     const lag_band band = {2, 1, 1};
     double a[8] = {0};
-    double pivot[2];
+    double pivot[4];
     *entry(&band, a, 1, 0, 0) = *entry(&band, a, 1, 1, 0) = 1.0;
     *entry(&band, a, 1, 0, 1) = *entry(&band, a, 1, 1, 1) = 2.0;
     CHECK(!lag_band_lu(&band, a, pivot));
     double pairs[16] = {0};
     *entry(&band, pairs, 2, 0, 0) = *entry(&band, pairs, 2, 1, 0) = 1.0;
     CHECK(!lag_band_lu_complex(&band, pairs, pivot));
+}
+
+/* Before rows change places U is as wide as the band, and an exchange widens it by what the row brings. */
+static void only_exchanges_fill(void)
+{
+    const lag_band band = {6, 2, 1};
+    for (size_t parts = 1; parts <= 2; ++parts) {
+        double a[2 * 6 * 6] = {0};
+        double pivot[12];
+        for (size_t i = 0; i < band.n; ++i) {
+            for (size_t j = lag_band_first(&band, i); j < lag_band_end(&band, i); ++j) {
+                *entry(&band, a, parts, i, j) = i == j ? 8.0 : 1.0;
+            }
+        }
+        *entry(&band, a, parts, 3, 2) = 100.0;
+        CHECK(parts == 1 ? lag_band_lu(&band, a, pivot) : lag_band_lu_complex(&band, a, pivot));
+        for (size_t k = 0; k <= 2; ++k) {
+            CHECK(pivot[k] == (k == 2 ? 3.0 : (double)k));
+            CHECK(pivot[band.n + k] == (double)(k == 2 ? 5 : lag_band_end(&band, k)));
+        }
+    }
 }
 
 int main(void)
@@ -79,6 +100,7 @@ int main(void)
         }
     }
     a_singular_matrix_is_told();
+    only_exchanges_fill();
     (void)printf("band: ok\n");
     return 0;
 }

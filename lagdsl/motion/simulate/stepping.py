@@ -18,6 +18,9 @@ STEPS = 1000
 # Of the first call, after which it is known what a step takes.
 FIRST_STEPS = 50
 MOST_STEPS = 1_000_000  # of a motion, unless said otherwise
+# First steps are short, and those of another method may be much longer: the work so far foretells at most so many times
+# as much. So the compiler starts a hundredth of the work later for which it pays.
+FORETOLD = 100
 
 
 class Stepping:
@@ -29,6 +32,7 @@ class Stepping:
         self._engine, self._run, self._span = engine, run, span
         self._most, self._told = most, told
         self.steps = 0
+        self._worked = 0.0  # s
 
     def over(self, breaks: Sequence[float]) -> Status:
         """Up to the last of them, at which inputs may jump. It is known behind the first one how long a step takes."""
@@ -66,7 +70,8 @@ class Stepping:
         self.steps += report.steps
         if status in (Status.OK, Status.TOO_LONG):
             seconds, reached = perf_counter() - started, max(report.t - before, 1e-9 * (last - first))
-            engine.worked(seconds, left=seconds * (last - report.t) / reached)
+            self._worked += seconds
+            engine.worked(seconds, left=min(seconds * (last - report.t) / reached, FORETOLD * self._worked))
             compiled = engine.hasten()
             if compiled is not None:
                 run.change(compiled)

@@ -55,6 +55,20 @@ def test_the_motion_is_that_of_the_tape(name: str, switches: list[float]) -> Non
         np.testing.assert_array_equal(both[column], on_tape[column], err_msg=column)
 
 
+def test_short_first_steps_foretell_a_hundred_times_their_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    class ForeseenError(Exception):
+        def __init__(self, seconds: float, left: float) -> None:
+            self.seconds, self.left = seconds, left
+
+    def tell(self: AutoEngine, seconds: float, left: float = 0.0) -> None:
+        raise ForeseenError(seconds, left)
+
+    monkeypatch.setattr(AutoEngine, "worked", tell)
+    with pytest.raises(ForeseenError) as of_the_start:
+        lagdsl.compile(MODELS / "pendulum.lag").simulate(stop=1e7, interval=1e7)
+    assert of_the_start.value.left == stepping.FORETOLD * of_the_start.value.seconds
+
+
 def test_a_run_is_not_given_another_model(monkeypatch: pytest.MonkeyPatch) -> None:
     one, other = (lagdsl.compile(MODELS / f"{name}.lag", engine="tape")._engine for name in ("pendulum", "four_bar"))
     started: list[Run] = []

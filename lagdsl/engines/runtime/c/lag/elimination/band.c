@@ -16,15 +16,17 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Behind the last row and the last column that elimination of column k reaches. */
+/* Behind the last row that elimination of column k reaches. */
 static size_t rows_end(const lag_band *band, size_t k)
 {
     return least(k + band->lower + 1, band->n);
 }
 
-static size_t columns_end(const lag_band *band, size_t k)
+/* Behind the last column of U that is filled, once the row `best` was chosen: only exchanges fill what is beyond the band (LAPACK's dgbtf2). */
+static size_t columns_end(const lag_band *band, size_t end, size_t best)
 {
-    return least(k + band->lower + band->upper + 1, band->n);
+    const size_t own = lag_band_end(band, best);
+    return own > end ? own : end;
 }
 
 static void exchange(double *a, double *b, size_t first, size_t end)
@@ -38,8 +40,8 @@ static void exchange(double *a, double *b, size_t first, size_t end)
 
 int lag_band_lu(const lag_band *band, double *a, double *pivot)
 {
+    size_t end = 0;
     for (size_t k = 0; k < band->n; ++k) {
-        const size_t end = columns_end(band, k);
         double *row = lag_band_row(band, a, k);
         double largest = fabs(row[k]);
         size_t best = k;
@@ -48,8 +50,10 @@ int lag_band_lu(const lag_band *band, double *a, double *pivot)
             best = size > largest ? i : best;
             largest = size > largest ? size : largest;
         }
+        end = columns_end(band, end, best);
         exchange(row, lag_band_row(band, a, best), k, end);
         pivot[k] = (double)best;
+        pivot[band->n + k] = (double)end;
         row[k] = 1.0 / row[k];
         if (!isfinite(row[k])) {
             return 0;
@@ -78,7 +82,8 @@ void lag_band_solve(const lag_band *band, double *a, const double *pivot, double
     for (size_t i = band->n; i-- > 0;) {
         const double *row = lag_band_row(band, a, i);
         double rest = x[i];
-        for (size_t j = i + 1; j < columns_end(band, i); ++j) {
+        const size_t end = (size_t)pivot[band->n + i];
+        for (size_t j = i + 1; j < end; ++j) {
             rest -= row[j] * x[j];
         }
         x[i] = rest * row[i];
@@ -94,8 +99,8 @@ static double *row_of_pairs(const lag_band *band, double *a, size_t i)
 int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
 {
     static const double one[2] = {1.0, 0.0};
+    size_t end = 0;
     for (size_t k = 0; k < band->n; ++k) {
-        const size_t end = columns_end(band, k);
         double *row = row_of_pairs(band, a, k);
         double largest = lag_complex_size(row + 2 * k);
         size_t best = k;
@@ -104,8 +109,10 @@ int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
             best = size > largest ? i : best;
             largest = size > largest ? size : largest;
         }
+        end = columns_end(band, end, best);
         exchange(row, row_of_pairs(band, a, best), 2 * k, 2 * end);
         pivot[k] = (double)best;
+        pivot[band->n + k] = (double)end;
         lag_complex_divide(one, row + 2 * k, row + 2 * k);
         if (!isfinite(lag_complex_size(row + 2 * k))) {
             return 0;
@@ -135,7 +142,8 @@ void lag_band_solve_complex(const lag_band *band, double *a, const double *pivot
     for (size_t i = band->n; i-- > 0;) {
         const double *row = row_of_pairs(band, a, i);
         double rest[2] = {x[2 * i], x[2 * i + 1]};
-        for (size_t j = i + 1; j < columns_end(band, i); ++j) {
+        const size_t end = (size_t)pivot[band->n + i];
+        for (size_t j = i + 1; j < end; ++j) {
             lag_complex_subtract_product(rest, row + 2 * j, x + 2 * j);
         }
         lag_complex_multiply(rest, row + 2 * i, x + 2 * i);

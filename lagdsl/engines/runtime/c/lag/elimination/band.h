@@ -37,12 +37,12 @@ static inline size_t lag_band_end(const lag_band *band, size_t i)
     return i + band->upper + 1 < band->n ? i + band->upper + 1 : band->n;
 }
 
-/* Multiplications of the elimination in a band; those of a dense matrix are n^3 / 3. */
+/* Multiplications of the elimination in a band, at most; those of a dense matrix are n^3 / 3. */
 double lag_band_operations(const lag_band *band);
 
 /*
  * As lag_lu() and what follows it in lag/elimination/lu.h, in a band; of L only the row that moves is exchanged, and the diagonal of U is
- * inverted.
+ * inverted. `pivot` (2 n) has the rows, then of each row of U the place behind its last column: nothing beyond is read.
  */
 int lag_band_lu(const lag_band *band, double *a, double *pivot);
 void lag_band_solve(const lag_band *band, double *a, const double *pivot, double *x);

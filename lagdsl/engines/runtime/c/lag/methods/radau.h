@@ -68,7 +68,7 @@ typedef struct lag_radau_places {
     double *jacobian;               /* (entries) */
     double *middle;                 /* (entries) what is decomposed: the Jacobian at the start of the step, or at its middle */
     double *real, *complex;         /* (m, width), (pairs, m, width, 2): decomposed, without coordinates; width: that of the band, or m */
-    double *pivots;                 /* (1 + pairs, m) */
+    double *pivots;                 /* (1 + pairs, 2 m) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */

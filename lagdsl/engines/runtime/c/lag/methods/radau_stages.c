@@ -27,7 +27,7 @@ enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_rad
 size_t lag_radau_memory(const lag_ode *ode)
 {
     const size_t vectors = 2 + 5 * STAGES;
-    const size_t sides = 3 + PAIRS + (1 + LAG_RADAU_KRYLOV + 3) * STAGES;
+    const size_t sides = 4 + 2 * PAIRS + (1 + LAG_RADAU_KRYLOV + 3) * STAGES;
     lag_radau_memo memo;
     lag_radau_keep_band(&memo, ode);
     return lag_dop853.memory(ode) + MEMO + 5 * lag_radau_entries(ode) + (1 + 2 * PAIRS) * lag_radau_matrix(ode, &memo) + vectors * ode->size +
@@ -53,7 +53,7 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
     at.real = at.middle + entries;
     at.complex = at.real + matrix;
     at.pivots = at.complex + 2 * PAIRS * matrix;
-    at.z = at.pivots + (1 + PAIRS) * rows;
+    at.z = at.pivots + 2 * (1 + PAIRS) * rows;
     at.w = at.z + STAGES * n;
     at.slope = at.w + STAGES * n;
     at.dense = at.slope + STAGES * n;

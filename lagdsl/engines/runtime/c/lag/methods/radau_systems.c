@@ -156,7 +156,7 @@ static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t
     const lag_band band = lag_radau_band(ode, at);
     const number shift = pair_shift(at, pair, h);
     double *matrix = matrix_of_pair(ode, at, pair);
-    double *pivots = at->pivots + (1 + pair) * lag_radau_rows(ode);
+    double *pivots = at->pivots + 2 * (1 + pair) * lag_radau_rows(ode);
     memset(matrix, 0, 2 * lag_radau_matrix(ode, at->memo) * sizeof(double));
     fill(ode, at, &shift, matrix);
     return lag_radau_is_sparse(ode) ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
@@ -282,7 +282,7 @@ static void solve_pair(const lag_ode *ode, const lag_radau_places *at, size_t pa
     const lag_band band = lag_radau_band(ode, at);
     const number shift = pair_shift(at, pair, at->memo->decomposed);
     double *matrix = matrix_of_pair(ode, at, pair);
-    const double *pivots = at->pivots + (1 + pair) * lag_radau_rows(ode);
+    const double *pivots = at->pivots + 2 * (1 + pair) * lag_radau_rows(ode);
     eliminate(ode, at, &shift, x);
     if (lag_radau_is_sparse(ode)) {
         lag_band_solve_complex(&band, matrix, pivots, at->reduced);
