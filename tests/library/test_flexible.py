@@ -120,6 +120,15 @@ def test_a_load_at_the_end_bends_two_modes_as_statics_says() -> None:
     assert value["p[1]"] == pytest.approx(-force * 2 * fibre / 100e-12, rel=1e-4)
 
 
+def test_one_mode_bends_under_a_moment_at_the_end() -> None:
+    """A moment bends the beam to a circle, the shape of the first mode; its shear force is a sum over no modes."""
+    model = _clamped("Beam beam(L = 2 m, A = 1 cm^2, I = 100 mm^4, n = 1)", "output Force s = beam.shear[3];")
+    point = model.trim(parameters={"M": 0.1}).point
+    assert point.q == pytest.approx([0.1 * 2 / EI])
+    told = model.output(0.0, point.q, point.qd, parameters={"M": 0.1})
+    assert np.asarray(told).ravel()[model.outputs.index("s")] == 0.0
+
+
 def test_the_exact_beam_sags_under_its_load() -> None:
     """w x^2 (6 L^2 - 4 L x + x^2)/(24 E I) at the nodes, but for a second order of the length l of elements: strains in
     their middles take w l^2 x (L - x)/(12 E I) off."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import assert_never
 
 from lagdsl.language.flat import expression as fx
+from lagdsl.language.flat.expression_text import number_text
 from lagdsl.language.flat.model import (
     Definition,
     FlatModel,
@@ -26,6 +27,8 @@ _MOST_ROWS = 12
 _DEEPEST_TURNS = 6
 _MOST_DEFINITIONS = 200
 _LONGEST_EXPRESSION = 2000
+_MOST_LONG_NUMBERS = 8
+_LONG_NUMBER = 12
 _COUNTED = 10**6
 _MOST_EQUATIONS = 40
 _MOST_NAMES = 1000
@@ -42,6 +45,7 @@ class Extent:
 
 def extent(flat: FlatModel) -> Extent:
     rows = sum(len(constraint.rows) for constraint in flat.constraints)
+    numbers = _long_numbers(flat)
     measures = (
         (len(flat.coordinates), _MOST_COORDINATES, "coordinates"),
         (len(flat.masses) + len(flat.bodies), _MOST_CARRIERS, "masses and bodies"),
@@ -50,11 +54,12 @@ def extent(flat: FlatModel) -> Extent:
         (_turns(flat), _DEEPEST_TURNS, "rotations in a row"),
         (len(flat.named), _MOST_DEFINITIONS, "definitions, points and frames"),
         (_longest(flat), _LONGEST_EXPRESSION, "symbols in one expression, definitions written out"),
+        (numbers, _MOST_LONG_NUMBERS, f"numbers of more than {_LONG_NUMBER} digits"),
     )
     reasons = tuple(f"{value} {noun} (at most {most})" for value, most, noun in measures if value > most)
     deep = _turns(flat) > _DEEPEST_TURNS or _longest(flat) > _LONGEST_EXPRESSION
     many = max(len(flat.coordinates), rows, len(flat.loads)) > _MOST_EQUATIONS or len(flat.named) > _MOST_NAMES
-    return Extent(reasons=reasons, has_short_parts=not deep and not many)
+    return Extent(reasons=reasons, has_short_parts=not (deep or many or numbers > _MOST_LONG_NUMBERS))
 
 
 def _turns(flat: FlatModel) -> int:
@@ -91,6 +96,33 @@ def _longest(flat: FlatModel) -> int:
                 own = sum(length(expression) for step in steps for expression in step_expressions(step))
                 names[name] = names.get(parent, 0) + own
     return max([0, *names.values(), *(length(expression) for expression in _declared(flat))])
+
+
+def _long_numbers(flat: FlatModel) -> int:
+    """Different numbers that a person does not write, as those of a quadrature: products of them only get longer."""
+    known: dict[int, None] = {}
+    found: set[float] = set()
+    for expression in (*(each for item in flat.named for each in _values(item)), *_declared(flat)):
+        for node in postorder(expression, known):
+            known[id(node)] = None
+            if (
+                isinstance(node, fx.Number)
+                and len(number_text(abs(node.value)).replace(".", "").strip("0")) > _LONG_NUMBER
+            ):
+                found.add(abs(node.value))
+    return len(found)
+
+
+def _values(item: Definition | Point | Frame) -> Iterable[fx.FlatExpression]:
+    match item:
+        case Definition(value=value):
+            return (value,)
+        case Point(position=position):
+            return (position,)
+        case Frame(steps=steps):
+            return (expression for step in steps for expression in step_expressions(step))
+        case _:
+            assert_never(item)
 
 
 def _name(node: fx.FlatExpression) -> str:

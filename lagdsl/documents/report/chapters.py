@@ -3,7 +3,7 @@ and the equations of motion in numbers where the motion starts. Like links of a 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from typing import assert_never
 
 import numpy as np
@@ -11,12 +11,13 @@ import numpy as np
 from lagdsl.derivation.textbook.familiar import Familiar
 from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright, bold
 from lagdsl.documents.report.boxes import Number as Digits
-from lagdsl.documents.report.document import Block, Code, Equation, Equations, Heading, Inline, Paragraph, Table, text
+from lagdsl.documents.report.document import Block, Equation, Equations, Heading, Paragraph, text
 from lagdsl.documents.report.notation import dotted
-from lagdsl.documents.report.sections.families import rolled
+from lagdsl.documents.report.sections.condensed import condensed, condensed_place, condensed_vector
+from lagdsl.documents.report.sections.own_words import Words
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
-from lagdsl.language.flat.expression import FlatExpression, Number, Variable
-from lagdsl.language.flat.expression_text import flat_expression_text
+from lagdsl.language.flat.dependence import Dependence
+from lagdsl.language.flat.expression import ZERO, FlatExpression, Number, Variable
 from lagdsl.language.flat.model import (
     Definition,
     FlatModel,
@@ -29,12 +30,11 @@ from lagdsl.language.flat.model import (
     RotateQuaternion,
     SetAxes,
 )
-from lagdsl.language.flat.traversal import postorder
+from lagdsl.language.flat.traversal import postorder, step_expressions
 from lagdsl.motion.pipeline import Compilation, compile_flat
 
-_MOST = 16
 _LARGEST_MATRIX = 8
-_LONGEST = 300
+_DEFINITIONS = 24
 _KINEMATICS = (
     "From the world to each frame: turns are about the axes of the frame itself, displacements along them. Rates "
     "follow from frame to frame, with the turn q about n and the way s along n:"
@@ -46,7 +46,7 @@ _DECLARED_ENERGIES = "The energies that are declared:"
 _NUMBERS = "Where the motion starts, in SI units and in the order of the coordinates, with the declared start values:"
 
 
-def kinematics(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
+def kinematics(familiar: Familiar, letter: Callable[[str], Box], words: Words) -> list[Block]:
     """Each frame that turns or moves, as it follows from the one that carries it."""
     zeros = frozenset(familiar.zeros)
     frames = [item for item in familiar.flat.named if isinstance(item, Frame)]
@@ -74,48 +74,63 @@ def kinematics(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
         Heading("Kinematics"),
         Paragraph(text(_KINEMATICS)),
         Equations((Equation(Subscript(spin, b), turned), Equation(Subscript(speed, b), carried))),
-        *_table(("frame b", "carried by a", "steps"), rows),
+        *words.table(("frame b", "carried by a", "steps"), rows),
     ]
 
 
-def energies(familiar: Familiar, letter: Callable[[str], Box]) -> list[Block]:
+def energies(familiar: Familiar, letter: Callable[[str], Box], words: Words) -> list[Block]:
     """T and V as sums over masses and bodies, with what each of them has."""
     flat, zeros = familiar.flat, frozenset(familiar.zeros)
-    rows = [
-        (f"mass {n}", _text(item.mass, zeros), _text(item.position, zeros), "")
-        for n, item in enumerate(flat.masses, start=1)
-    ]
+    rows = [("mass of…", _text(item.mass, zeros), condensed_place(item.position), "") for item in flat.masses]
     for body in flat.bodies:
         inertia = [_text(each, zeros) for each in body.inertia]
         shown = inertia if any(each != "0" for each in inertia[3:]) else inertia[:3]
-        center = ", ".join(_text(each, zeros) for each in body.com)
-        place = body.frame if set(center) <= set("0, ") else f"{body.frame}.point({{{center}}})"
+        center = _vector(body.com, zeros)
+        place = body.frame if set(center) <= set("{0, }") else f"{body.frame}.point({center})"
         rows.append((body.label or body.frame, _text(body.mass, zeros), place, ", ".join(shown)))
     if not rows and not flat.energies:
         return []
-    declared = [(term.kind, _text(term.value, zeros)) for term in flat.energies]
+    declared = [(f"{term.kind} of…", _text(term.value, zeros)) for term in flat.energies]
     return [
         Heading("Energies"),
         Paragraph(text(_ENERGIES if rows else _DECLARED_ENERGIES)),
         *([Equations(_forms(flat, letter))] if rows else []),
-        *_table(("T of", "mass", "center", "moments of inertia"), rows),
-        *_table(("kind of energy", "value"), declared),
-        *_defined(familiar, zeros),
+        *words.table(("T of", "mass", "center", "moments of inertia"), rows),
+        *words.table(("kind of energy", "value"), declared),
+        *_defined(familiar, zeros, words),
     ]
 
 
-def _defined(familiar: Familiar, zeros: frozenset[str]) -> list[Block]:
-    """The definitions that stand in the declared energies, and those in these."""
+def _defined(familiar: Familiar, zeros: frozenset[str], words: Words) -> list[Block]:
+    """The definitions that stand in the declared energies and in the places of what has mass, and those in these."""
     values = {item.name: item.value for item in familiar.flat.named if isinstance(item, Definition)}
-    waiting = [term.value for term in familiar.flat.energies]
+    waiting = [*(term.value for term in familiar.flat.energies), *_places(familiar.flat)]
     met: set[str] = set()
     while waiting:
         names = {node.name for node in postorder(waiting.pop(), {}) if isinstance(node, Variable)}
         new = {name for name in names - met if name in values}
         met |= new
         waiting += [values[name] for name in new]
-    rows = [(name, _text(value, zeros)) for name, value in values.items() if name in met]
-    return _table(("definition", "value"), rows)
+    dependence, moving = Dependence(familiar.flat), {each.name for each in familiar.flat.coordinates}
+    chosen = [name for name in values if name in met]
+    chosen.sort(
+        key=lambda name: not moving.intersection(dependence.of(values[name]))
+    )  # constants are the first to be cut
+    return words.table(
+        ("definition", "value"), [(name, _text(values[name], zeros)) for name in chosen], most=_DEFINITIONS
+    )
+
+
+def _places(flat: FlatModel) -> Iterator[FlatExpression]:
+    """Expressions that say where masses and bodies are."""
+    frames = {item.name: item for item in flat.named if isinstance(item, Frame)}
+    carrying = {body.frame for body in flat.bodies}
+    for mass in flat.masses:
+        yield mass.position
+    for name, frame in reversed(frames.items()):
+        if name in carrying:
+            carrying.add(frame.parent)
+            yield from (expression for step in frame.steps for expression in step_expressions(step))
 
 
 def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...]:
@@ -187,7 +202,8 @@ def _step(step: FrameStep, zeros: frozenset[str]) -> str:
 
 
 def _vector(components: Iterable[FlatExpression], zeros: frozenset[str]) -> str:
-    return "{" + ", ".join(_text(each, zeros) for each in components) + "}"
+    parts = [ZERO if isinstance(each, Variable) and each.name in zeros else each for each in components]
+    return condensed_vector(parts)
 
 
 def _text(expression: FlatExpression, zeros: frozenset[str]) -> str:
@@ -195,19 +211,4 @@ def _text(expression: FlatExpression, zeros: frozenset[str]) -> str:
         return "0"
     if isinstance(expression, Number):
         return f"{expression.value:.6g}"
-    return flat_expression_text(expression)
-
-
-def _cut(words: str) -> str:
-    return words if len(words) <= _LONGEST else words[: _LONGEST - 1] + "…"
-
-
-def _table(header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[Block]:
-    """At most a page; like rows together."""
-    if not rows:
-        return []
-    shown = rolled(rows)
-    more = len(shown) - _MOST
-    cells: list[tuple[Inline, ...]] = [tuple((Code(_cut(c)),) if c else () for c in row) for row in shown[:_MOST]]
-    blocks: list[Block] = [Table(header, tuple(cells))]
-    return [*blocks, Paragraph(text(f"… and {more} more."))] if more > 0 else blocks
+    return condensed(expression)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from sympy import Symbol
 
 from lagdsl.derivation.textbook.recipe import Recipe
-from lagdsl.derivation.textbook.steps.assembled import assembled_rows
+from lagdsl.derivation.textbook.steps.assembled import assembled
 from lagdsl.derivation.textbook.symbols import symbols
 from lagdsl.documents.report.boxes import (
     Box,
@@ -42,6 +42,7 @@ from lagdsl.documents.report.notation import Notation, notation
 from lagdsl.documents.report.sections.families import rolled
 from lagdsl.documents.report.sections.in_symbols import in_symbols
 from lagdsl.documents.report.sections.instants import event_list
+from lagdsl.documents.report.sections.own_words import Words
 from lagdsl.documents.report.sections.system import machine
 from lagdsl.documents.report.unit_text import unit_of
 from lagdsl.language.flat.model import Constraint, FlatModel
@@ -49,9 +50,15 @@ from lagdsl.language.flat.quantity import Item
 from lagdsl.motion.pipeline import Compilation
 
 _MOST = 12
+_LONGEST_ROW = 2500
 _ALIKE = (
-    "Each is inertia, then the gradients of potentials and of the weight, then those of dissipations by the rate; "
-    "neighbours share elements:"
+    "Each is inertia, then the forces of strains, elastic and viscous, then the weight; neighbours share elements. "
+    "d(a)/d(q) is a partial derivative."
+)
+_GRAVITY = "gravity[1], [2] and [3] are the components of the gravity in axes of the world."
+_SPIN = (
+    "spin(e, J) is the torque J α + ω × J ω, in axes of the section, as a force along the quaternion e, "
+    "2 e ∘ (0, J α + ω × J ω) with ω = 2 ē ∘ ė."
 )
 _SHORT_ONES = "the short equations in symbols, "
 
@@ -61,8 +68,8 @@ def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | N
     that of the model if there is one."""
     familiar, flat, short = recipe.familiar, recipe.flat, recipe.short
     named = () if short is None else (*short.dependent_parameters, *short.definitions)
-    rows = tuple(row for each in flat.constraints for row in each.rows)
-    signs = notation(flat, symbols(flat), tuple(symbol for symbol, _ in named), rows)
+    constrained = tuple(row for each in flat.constraints for row in each.rows)
+    signs = notation(flat, symbols(flat), tuple(symbol for symbol, _ in named), constrained)
     letter = signs.letter
     reasons = "; ".join(recipe.extent.reasons)
     opening: list[Block] = [
@@ -70,14 +77,16 @@ def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | N
             text(
                 f"This model is larger than what is written out term by term: {reasons}. It is told by chapters: "
                 f"kinematics, energies, loads, constraints, {'' if short is None else _SHORT_ONES}and the equations in "
-                "numbers where the motion starts."
+                "numbers where the motion starts. A row of a table with a component before a "
+                "colon, or after `of`, is in the words of this component."
             )
         )
     ]
     blocks = machine(flat, signs, compilation) if drawn else []
     blocks += _coordinates(flat, signs)
-    blocks += kinematics(familiar, letter)
-    blocks += energies(familiar, letter)
+    words = Words(frozenset(name.partition("[")[0] for name in _names(flat)), {})
+    blocks += kinematics(familiar, letter, words)
+    blocks += energies(familiar, letter, words)
     blocks += _parts("Masses and bodies", [*flat.masses, *flat.bodies])
     blocks += _parts("Loads", flat.loads)
     blocks += _parts("Constraints", [each for each in flat.constraints if not each.of_law])
@@ -85,8 +94,9 @@ def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | N
     blocks += _parts("Dry friction", flat.events.frictions)
     blocks += event_list(flat)
     blocks += _equations(flat, letter, signs.of(symbols(flat).time))
-    blocks += _rows(flat)
-    blocks += [] if short is None else in_symbols(flat, short, signs)
+    rows = _rows(flat, words)
+    blocks += [*rows, *words.numbers()]
+    blocks += [] if short is None or rows else in_symbols(flat, short, signs)
     blocks += at_the_start(familiar, letter, compilation)
     return (*opening, *letters_note(signs), *blocks)
 
@@ -121,15 +131,25 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
     return [Heading(title), Bullets((*entries, text(f"… and {more} more.")) if more else tuple(entries))]
 
 
-def _rows(flat: FlatModel) -> list[Block]:
+def _rows(flat: FlatModel, words: Words) -> list[Block]:
     """Equations of coordinates that repeat, as those of the nodes of a mesh: a typical one and those at the ends."""
-    found = assembled_rows(flat)
-    likes = rolled([(row.coordinate, row.left) for row in found])
-    if not found or 2 * len(likes) > len(found):
+    found = assembled(flat)
+    rows = [(row.coordinate, row.left) for row in found.rows]
+    if not rows or len(rolled(rows)) > _MOST:
         return []
-    cells = tuple(tuple((Code(cell),) for cell in row) for row in likes)
+    told = [word for word, sign in ((_GRAVITY, "gravity["), (_SPIN, "spin(")) if any(sign in left for _, left in rows)]
+    works = [(f"Q of {work.element}", work.text) for work in found.works]
     header = ("coordinate", "force of loads and constraints along it")
-    return [Heading("Equations of the coordinates"), Paragraph(text(_ALIKE)), Table(header, cells)]
+    return [
+        Heading("Equations of the coordinates"),
+        Paragraph(text(" ".join([_ALIKE, *told]))),
+        *words.table(header, rows, longest=_LONGEST_ROW),
+        *words.table(("force of strains", "along a coordinate q, Q(element, q)"), works, longest=_LONGEST_ROW),
+    ]
+
+
+def _names(flat: FlatModel) -> list[str]:
+    return [each.name for each in (*flat.coordinates, *flat.parameters, *flat.named)]
 
 
 def _equations(flat: FlatModel, letter: Callable[[str], Box], time: Box) -> list[Block]:

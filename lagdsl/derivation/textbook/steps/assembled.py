@@ -2,17 +2,22 @@
 absolute coordinates: a mass matrix without coordinates, and the gradients of potentials and dissipations.
 
 The definitions of the model keep their names: the chain rule goes through them, so a row stays short. It stops at a
-definition that is a root or a quotient of coordinates, as the strain of a cable: d(strain)/d(r) is such a derivative,
-and a row is the virtual work of the textbooks, the sum of forces times variations of strains.
+definition that is a root or a quotient of coordinates, as the strain of a cable: d(strain)/d(r) is such a derivative
+and a row is the virtual work of the textbooks, the sum of forces times variations of strains. Where that is the same
+work for all elements, it is written once, as `Q(element, coordinate)`. A viscous stress stands with its elastic one
+(Kelvin and Voigt). Bodies that turn by unit quaternions have the inertia of P. Betsch and R. Siebert, Int. J. Numer.
+Methods Eng. 79 (2009) 444.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from operator import add, mul, sub, truediv
 from typing import TypeAlias
 
-from lagdsl.derivation.textbook.steps.products import Term, bracketed, partial_of, product, quotient, text_of
+from lagdsl.derivation.textbook.steps.products import Term, bracketed, partial_of, product, quotient, text_of, viscous
+from lagdsl.derivation.textbook.steps.works import Work, with_works
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -24,28 +29,42 @@ _LONGEST = 2500  # characters of a row that is printed
 _OF_NUMBERS: dict[str, Callable[[float, float], float]] = {"+": add, "-": sub, "*": mul, "/": truediv, "^": pow}
 
 _Rule: TypeAlias = "Callable[[fx.FlatExpression], list[Term]]"
+_Pull: TypeAlias = list[list[Term]]
+_Spins: TypeAlias = dict[tuple[str, ...], list[list[Term]]]
 
 
 @record(kw_only=True)
 class AssembledRow:
-    """`left` is the force of the loads and constraints along one coordinate: inertia, the gradients of potentials, with
-    that of the weight, and those of dissipations by the rate."""
+    """`left` is the force of the loads and constraints along one coordinate: inertia, forces of strains, elastic and
+    viscous, and the weight."""
 
     coordinate: str
     left: str
+
+
+@record(kw_only=True)
+class Assembled:
+    """`works` are what `Q` stands for in the rows; none if they have no `Q`."""
+
+    rows: tuple[AssembledRow, ...]
+    works: tuple[Work, ...]
 
 
 class _NotWritten(Exception):  # noqa: N818 named after what it says
     """The row has another form."""
 
 
-def assembled_rows(flat: fm.FlatModel) -> list[AssembledRow]:
+def assembled(flat: fm.FlatModel) -> Assembled:
     """The rows of all coordinates; none where one of them has another form."""
     try:
         rows = _Rows(flat)
-        return [rows.of(coordinate.name) for coordinate in flat.coordinates]
+        found = {each.name: rows.of(each.name) for each in flat.coordinates}
     except _NotWritten:
-        return []
+        return Assembled(rows=(), works=())
+    works, texts = with_works(found)
+    if any(len(text) > _LONGEST for text in texts.values()):
+        return Assembled(rows=(), works=())
+    return Assembled(rows=tuple(AssembledRow(coordinate=q, left=left) for q, left in texts.items()), works=works)
 
 
 class _Rows:
@@ -59,39 +78,72 @@ class _Rows:
         self._partials: dict[tuple[str, str], list[Term]] = {}
         self._along: dict[str, list[Term]] = {name: [] for name in self._coordinates}
         self._weights: dict[str, list[Term]] = {name: [] for name in self._coordinates}
-        gravity = [[], [], []] if flat.gravity is None else self._components(flat.gravity)
-        self._pulls = {"world": gravity}
+        self._shapes: dict[str, bool] = {}
+        named: _Pull = [[Term(1.0, (f"gravity[{axis}]",))] for axis in (1, 2, 3)]
+        self._pulls = {"world": named if any(self._gravity()) else self._gravity()}
         for mass in flat.masses:
             frame, place = _placed(mass.position)
             self._add(self._terms(mass.mass), place, self._pull(frame))
+        spins: _Spins = {}
         for body in flat.bodies:
-            self._add_body(body)
+            self._add_body(body, spins)
+        for quaternion, inertia in spins.items():
+            moments = f"{{{', '.join(map(text_of, inertia))}}}"
+            vector = quaternion[0].removesuffix("[1]") if quaternion[0].endswith("[1]") else f"{quaternion[0][:-3]}]"
+            for axis, name in enumerate(quaternion, start=1):
+                self._along[name].append(Term(1.0, (f"spin({vector}, {moments})[{axis}]",)))
 
-    def of(self, name: str) -> AssembledRow:
+    def of(self, name: str) -> list[Term]:
         energies = [(term.kind, term.value) for term in self._flat.energies if name in self._dependence.of(term.value)]
         stiffness = [each for kind, value in energies if kind == "potential" for each in self._partial(value, name)]
         damping = [each for kind, value in energies if kind == "dissipation" for each in self._by_rate(value, name)]
-        left = text_of([*self._along[name], *stiffness, *self._weights[name], *damping])
-        if len(left) > _LONGEST:
-            raise _NotWritten
-        return AssembledRow(coordinate=name, left=left)
+        return [*self._along[name], *viscous(stiffness, damping), *self._weights[name]]
 
     # ---- masses ------------------------------------------------------------------------------------------------------
 
-    def _add_body(self, body: fm.RigidBody) -> None:
+    def _add_body(self, body: fm.RigidBody, spins: _Spins) -> None:
         frame = self._named.get(body.frame)
         if not isinstance(frame, fm.Frame) or any(each != fx.ZERO for each in body.com):
             raise _NotWritten
         pull = self._pull(frame.parent)
         moves = [step for step in frame.steps if isinstance(step, fm.Move)]
-        turns = [step for step in frame.steps if isinstance(step, fm.Rotate)]
+        turns = [step for step in frame.steps if isinstance(step, fm.Rotate | fm.RotateQuaternion)]
         if frame.steps not in ((*moves,), (*moves, *turns)) or len(moves) != 1 or len(turns) > 1:
             raise _NotWritten
         self._add(self._terms(body.mass), moves[0].offset, pull)
         for turn in turns:
-            self._add(self._terms(body.inertia[turn.axis]), (turn.angle,), [[]])
+            if isinstance(turn, fm.Rotate):
+                self._add(self._terms(body.inertia[turn.axis]), (turn.angle,), [[]])
+            else:
+                self._add_spin(body, turn, spins)
 
-    def _pull(self, name: str) -> list[list[Term]]:
+    def _add_spin(self, body: fm.RigidBody, turn: fm.RotateQuaternion, spins: _Spins) -> None:
+        """The inertia of a body in the axes of its moments, which turns by coordinates that are a unit quaternion."""
+        parts = [self._resolved(each) for each in turn.e]
+        if all(map(self._fixed, parts)):
+            return
+        names = tuple(part.name for part in parts if isinstance(part, fx.Variable))
+        ends = [re.sub(r"(\d+)\]$", "#", name) + name[-2:-1] for name in names]
+        if ends != [f"{ends[0][:-1]}{axis}" for axis in (1, 2, 3, 4)] or not self._coordinates.issuperset(names):
+            raise _NotWritten
+        if any(each != fx.ZERO for each in body.inertia[3:]):
+            raise _NotWritten
+        known = spins.setdefault(names, [[], [], []])
+        spins[names] = [[*k, *self._terms(each)] for k, each in zip(known, body.inertia[:3], strict=True)]
+
+    def _resolved(self, expression: fx.FlatExpression) -> fx.FlatExpression:
+        """The value of a name that other names repeat."""
+        while isinstance(expression, fx.Variable):
+            item = self._named.get(expression.name)
+            if not isinstance(item, fm.Definition):
+                break
+            expression = item.value
+        return expression
+
+    def _gravity(self) -> _Pull:
+        return [[], [], []] if self._flat.gravity is None else self._components(self._flat.gravity)
+
+    def _pull(self, name: str) -> _Pull:
         """Gravity in the axes of a frame that does not move."""
         if name not in self._pulls:
             frame = self._named.get(name)
@@ -108,26 +160,60 @@ class _Rows:
             self._pulls[name] = pull
         return self._pulls[name]
 
-    def _turned(self, pull: list[list[Term]], turn: fm.Rotate) -> list[list[Term]]:
+    def _turned(self, pull: _Pull, turn: fm.Rotate) -> _Pull:
         cos, sin = (self._terms(fx.Function(name, (turn.angle,))) for name in ("cos", "sin"))
         first, second = (turn.axis + 1) % 3, (turn.axis + 2) % 3
+        pull = self._gravity() if pull is self._pulls["world"] else pull
         turned = list(pull)
         turned[first] = [*product(cos, pull[first]), *product(sin, pull[second])]
         turned[second] = [*product(cos, pull[second]), *product([Term(-1.0)], product(sin, pull[first]))]
         return turned
 
-    def _add(self, mass: list[Term], places: tuple[fx.FlatExpression, ...], gravity: list[list[Term]]) -> None:
-        """A mass, or a moment of inertia, whose place is linear in coordinates."""
+    def _add(self, mass: list[Term], places: tuple[fx.FlatExpression, ...], gravity: _Pull) -> None:
+        """A mass, or a moment of inertia, whose place is linear in coordinates and in definitions that are not."""
         for place, pull in zip(places, gravity, strict=True):
+            shares = {of: [self._original(term) for term in share] for of, share in self._shares(place).items()}
+            names = {
+                name
+                for of in shares
+                for name in ([of] if of in self._coordinates else self._dependence.of(fx.Variable(of)))
+            }
+            for name in sorted(names & self._coordinates, key=list(self._along).index):
+                varied = [each for of, share in shares.items() for each in product(share, self._varied(of, name))]
+                for of, share in shares.items():
+                    rate = [Term(1.0, (f"der(der({of}))",))]
+                    self._along[name] += product(product(mass, product(share, varied)), rate)
+                self._weights[name] += product([Term(-1.0)], product(product(mass, pull), varied))
+
+    def _shares(self, place: fx.FlatExpression) -> dict[str, list[Term]]:
+        """The place as a sum: the factors of coordinates, and of definitions that are not linear in them."""
+        if self._fixed(place):
+            return {}
+        if self._linear(place):
             names = [name for name in self._dependence.of(place) if name not in self._parameters]
-            if not self._coordinates.issuperset(names) or not self._linear(place):
+            if not self._coordinates.issuperset(names):
                 raise _NotWritten
-            shares = {name: self._partial(place, name) for name in names}
-            for name, share in shares.items():
-                for other, factor in shares.items():
-                    rate = [Term(1.0, (f"der(der({other}))",))]
-                    self._along[name] += product(product(mass, product(share, factor)), rate)
-                self._weights[name] += product([Term(-1.0)], product(product(mass, pull), share))
+            return {name: self._partial(place, name) for name in names}
+        if isinstance(place, fx.Variable) and isinstance(self._named.get(place.name), fm.Definition):
+            return {place.name: [Term(1.0)]}
+        if not isinstance(place, fx.Binary) or place.operator not in ("+", "-"):
+            raise _NotWritten
+        found = self._shares(place.left)
+        sign = Term(1.0 if place.operator == "+" else -1.0)
+        for name, share in self._shares(place.right).items():
+            found[name] = [*found.get(name, []), *product([sign], share)]
+        return found
+
+    def _original(self, term: Term) -> Term:
+        """With the names of parameters that definitions repeat, as a length that is given to a part."""
+        names = {factor: self._resolved(fx.Variable(factor)) for factor in (*term.above, *term.below)}
+        short = {factor: each.name for factor, each in names.items() if isinstance(each, fx.Variable)}
+        return Term(term.number, *(tuple(short.get(f, f) for f in line) for line in (term.above, term.below)))
+
+    def _varied(self, of: str, name: str) -> list[Term]:
+        if of in self._coordinates:
+            return [Term(1.0)] if of == name else []
+        return [partial_of(of, name)] if name in self._dependence.of(fx.Variable(of)) else []
 
     def _fixed(self, expression: fx.FlatExpression) -> bool:
         return self._parameters.issuperset(self._dependence.of(expression))
@@ -147,7 +233,7 @@ class _Rows:
         alone = expression.operator in ("+", "-") or fixed
         return alone and self._linear(expression.left) and self._linear(expression.right)
 
-    def _components(self, vector: fx.FlatExpression) -> list[list[Term]]:
+    def _components(self, vector: fx.FlatExpression) -> _Pull:
         if isinstance(vector, fx.Vector):
             return [self._terms(each) for each in (vector.x, vector.y, vector.z)]
         if isinstance(vector, fx.Binary) and vector.operator == "*" and isinstance(vector.right, fx.Vector):
@@ -182,13 +268,26 @@ class _Rows:
         item = self._named.get(variable)
         if not isinstance(item, fm.Definition):
             return [Term(1.0)] if variable == name else []
+        if name not in self._dependence.of(item.value):
+            return []
         if (variable, name) not in self._partials:
-            try:
+            if self._is_written(item):
                 found = self._partial(item.value, name)
-            except _NotWritten:
+            else:
                 found = [] if self._vanishes(item.value) else [partial_of(variable, name)]
             self._partials[variable, name] = found
         return self._partials[variable, name]
+
+    def _is_written(self, item: fm.Definition) -> bool:
+        """True if the chain rule goes through the definition, whichever coordinate it is for."""
+        if item.name not in self._shapes:
+            try:
+                for name in self._coordinates.intersection(self._dependence.of(item.value)):
+                    self._partial(item.value, name)
+                self._shapes[item.name] = True
+            except _NotWritten:
+                self._shapes[item.name] = False
+        return self._shapes[item.name]
 
     def _vanishes(self, expression: fx.FlatExpression) -> bool:
         """Zero by the form of the expression, as the curvature out of the plane of a cable that stays in it."""

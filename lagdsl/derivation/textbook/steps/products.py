@@ -13,7 +13,7 @@ from lagdsl.language.flat.expression_text import number_text
 
 _NOTHING = 1e-12  # of a sum of numbers that cancel each other
 _LARGEST_DENOMINATOR = 1000
-_INDEX = re.compile(r"(?<=[\[,])\d+(?=(?:,\w+)*\](?!\.))")  # not of a component, as of an element
+_INDEX = re.compile(r"(?<=[\[,])\d+(?=(?:,\w+)*\])")
 _LETTERS = ("i", "c")
 _PARTIAL = "d("
 
@@ -68,6 +68,36 @@ def bracketed(terms: list[Term]) -> list[Term]:
     return [Term(number, (f"({text_of(inner)})",), line)]
 
 
+def viscous(elastic: list[Term], damping: list[Term]) -> list[Term]:
+    """Their sum. A term of damping with the rate of a strain that a term of elasticity has, and one more factor tau,
+    stands in its bracket: E*(strain + tau*der(strain))."""
+    found, rest = list(elastic), []
+    for term in damping:
+        for place, other in enumerate(found):
+            joined = _joined(other, term)
+            if joined is not None:
+                found[place] = joined
+                break
+        else:
+            rest.append(term)
+    return [*found, *rest]
+
+
+def _joined(elastic: Term, damping: Term) -> Term | None:
+    if abs(elastic.number - damping.number) > _NOTHING * abs(elastic.number):
+        return None
+    if Counter(elastic.below) != Counter(damping.below):
+        return None
+    for place, strain in enumerate(elastic.above):
+        rate, others = f"der({strain})", [*elastic.above[:place], *elastic.above[place + 1 :]]
+        known = Counter([*others, rate])
+        if rate in damping.above and known <= Counter(damping.above):
+            more = [*(Counter(damping.above) - known).elements()]
+            stress = f"({strain} + {'*'.join([*more, rate])})"
+            return replace(elastic, above=(*elastic.above[:place], stress, *elastic.above[place + 1 :]))
+    return None
+
+
 def _together(terms: list[Term]) -> list[Term]:
     """Like terms as one, without those that cancel each other."""
     sums: dict[tuple[tuple[str, ...], tuple[str, ...]], list[Term]] = {}
@@ -106,31 +136,35 @@ def _powers(factors: tuple[str, ...]) -> list[str]:
 
 
 def _folded(terms: list[Term]) -> list[Term]:
-    """Partial derivatives that follow each other and differ by one index, 1, 2, 3 and so on, as one sum over it."""
+    """Partial derivatives that differ by one index, 1, 2, 3 and so on, as a sum over it, in the place of the first."""
     found: list[Term] = []
     rest = list(terms)
     while rest:
-        first, count = rest[0], 1
-        places: tuple[int, ...] = ()
-        while count < len(rest) and (differing := _next_index(first, rest[count], count + 1)) is not None:
-            if places and differing != places:
-                break
-            places, count = differing, count + 1
-        found.append(first if count == 1 else _sum(rest[:count], places))
-        rest = rest[count:]
+        likes, places = [rest.pop(0)], None
+        following = 0 if _has_partial(likes[0]) else len(rest)
+        while following < len(rest):
+            differing = _next_index(likes[0], rest[following], len(likes) + 1)
+            if differing is None or places not in (None, differing):
+                following += 1
+            else:
+                likes.append(rest.pop(following))
+                places, following = differing, 0
+        found.append(likes[0] if places is None else _sum(likes, places))
     return found
 
 
 def _next_index(first: Term, other: Term, number: int) -> tuple[int, ...] | None:
     """The places of the index which is 1 in one term and `number` in the other; None if they differ otherwise."""
     texts = [_shown(replace(term, number=1.0)) for term in (first, other)]
-    if _PARTIAL not in re.sub(r"\w+\(", lambda call: call[0] if call[0] == _PARTIAL else "", texts[0]):
-        return None
     if _INDEX.sub("", texts[0]) != _INDEX.sub("", texts[1]):
         return None
     pairs = list(zip(*(_INDEX.findall(text) for text in texts), strict=True))
     differing = tuple(place for place, (a, b) in enumerate(pairs) if a != b)
     return differing if differing and all(pairs[place] == ("1", str(number)) for place in differing) else None
+
+
+def _has_partial(term: Term) -> bool:
+    return any(call == _PARTIAL for factor in term.above for call in re.findall(r"\w+\(", factor))
 
 
 def _sum(terms: list[Term], places: tuple[int, ...]) -> Term:
@@ -141,5 +175,5 @@ def _sum(terms: list[Term], places: tuple[int, ...]) -> Term:
         text = text[: found[place].start()] + letter + text[found[place].end() :]
     numbers = [term.number for term in terms]
     alike = max(numbers) - min(numbers) <= _NOTHING * abs(numbers[0])
-    weights = "" if alike else f"{{{', '.join(_shown(Term(number)) for number in numbers)}}}[{letter}]*"
+    weights = "" if alike else f"{{{', '.join(map(number_text, numbers))}}}[{letter}]*"
     return Term(numbers[0] if alike else 1.0, (f"sum({weights}{text} for {letter} in 1:{len(terms)})",))

@@ -5,29 +5,39 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from math import prod
+from typing import NamedTuple
 
-_INDICES = re.compile(r"(?<=\[)\d+(?:,\d+)*(?=\])")
+_INDICES = re.compile(r"(?<=[\[,])\d+(?=[,\]])")
+_NUMBERS = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w.\]])")
+_PLACES = re.compile("[#~]")
 _LETTERS = "kjil"
 
 
+class _Member(NamedTuple):
+    indices: tuple[int, ...]
+    numbers: tuple[str, ...]
+    row: tuple[str, ...]
+
+
 def rolled(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """Rows that differ by indices alone as one, with `[k]`, `[k-1]`, `[k,j]` and the ranges of the letters in the first
-    cell, in the order of the first of them. Indices that keep their distance have one letter."""
-    found: dict[tuple[str, ...], list[tuple[tuple[int, ...], tuple[str, ...]]]] = {}
+    """Rows that differ by indices and numbers alone as one, with `[k]`, `[k-1]`, `[k,j]` and the ranges of the letters
+    in the first cell, in the order of the first of them. Indices that keep their distance have one letter. Numbers that
+    follow an index are a list, `{0.5, 2}[k]`."""
+    found: dict[tuple[str, ...], list[_Member]] = {}
     for row in rows:
-        indices = tuple(int(n) for cell in row for match in _INDICES.findall(cell) for n in match.split(","))
-        pattern = tuple(_INDICES.sub(lambda match: ",".join("#" for _ in match[0].split(",")), cell) for cell in row)
-        found.setdefault(pattern, []).append((indices, row))
+        indices = tuple(int(each) for cell in row for each in _INDICES.findall(cell))
+        plain = tuple(_INDICES.sub("#", cell) for cell in row)
+        numbers = tuple(each for cell in plain for each in _NUMBERS.findall(cell))
+        pattern = tuple(_NUMBERS.sub("~", cell) for cell in plain)
+        found.setdefault(pattern, []).append(_Member(indices, numbers, row))
     return [shown for pattern, members in found.items() for shown in _family(pattern, members)]
 
 
-def _family(
-    pattern: tuple[str, ...], members: Sequence[tuple[tuple[int, ...], tuple[str, ...]]]
-) -> list[tuple[str, ...]]:
+def _family(pattern: tuple[str, ...], members: Sequence[_Member]) -> list[tuple[str, ...]]:
     """One row, or one for each choice of the second letter where the letters do not take all values together."""
     if len(members) == 1:
-        return [members[0][1]]
-    columns = list(zip(*(indices for indices, _ in members), strict=True))
+        return [members[0].row]
+    columns = list(zip(*(member.indices for member in members), strict=True))
     letters: list[tuple[int, ...]] = []
     places: list[str] = []
     for column in columns:
@@ -41,17 +51,41 @@ def _family(
         letter, distance = known[0]
         places.append(_LETTERS[letter % len(_LETTERS)] + (f"{distance:+d}" if distance else ""))
     ranges = [sorted(set(letter)) for letter in letters]
+    lists = [_list(column, letters) for column in zip(*(member.numbers for member in members), strict=True)]
+    if "" in lists:
+        return _parts(pattern, members, [member.numbers for member in members])
     if not letters:
-        return [members[0][1]]
+        return [members[0].row]
     if len(letters) > len(_LETTERS) or prod(map(len, ranges)) != len(set(zip(*letters, strict=True))):
-        parts: dict[tuple[int, ...], list[tuple[tuple[int, ...], tuple[str, ...]]]] = {}
-        for member, others in zip(members, zip(*letters[1:], strict=True), strict=True):
-            parts.setdefault(others, []).append(member)
-        return [shown for part in parts.values() for shown in _family(pattern, part)]
-    text = iter(places)
-    row = [re.sub("#", lambda _: next(text), cell) for cell in pattern]
+        return _parts(pattern, members, list(zip(*letters[1:], strict=True)))
+    indices, numbers = iter(places), iter(lists)
+    row = [_PLACES.sub(lambda place: next(indices if place[0] == "#" else numbers), cell) for cell in pattern]
     spans = [f"{name} = {_span(values)}" for name, values in zip(_LETTERS, ranges, strict=False)]
     return [(", ".join([row[0], *spans]), *row[1:])]
+
+
+def _parts(
+    pattern: tuple[str, ...], members: Sequence[_Member], keys: Sequence[tuple[object, ...]]
+) -> list[tuple[str, ...]]:
+    parts: dict[tuple[object, ...], list[_Member]] = {}
+    for member, key in zip(members, keys, strict=True):
+        parts.setdefault(key, []).append(member)
+    return [shown for part in parts.values() for shown in _family(pattern, part)]
+
+
+def _list(numbers: Sequence[str], letters: Sequence[tuple[int, ...]]) -> str:
+    """The number of all rows, or a list by the letter that it follows; "" if there is none."""
+    if len(set(numbers)) == 1:
+        return numbers[0]
+    for name, letter in zip(_LETTERS, letters, strict=False):
+        values = dict(zip(letter, numbers, strict=True))
+        first = min(values)
+        if [*sorted(values)] == [*range(first, first + len(values))] and all(
+            values[index] == number for index, number in zip(letter, numbers, strict=True)
+        ):
+            shift = f"{1 - first:+d}" if first != 1 else ""
+            return f"{{{', '.join(values[index] for index in sorted(values))}}}[{name}{shift}]"
+    return ""
 
 
 def _keeps_distance(column: Sequence[int], other: Sequence[int]) -> bool:

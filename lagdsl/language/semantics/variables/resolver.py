@@ -261,7 +261,7 @@ class Definitions(Laws):
     def _named(self, ctx: Context, symbol: Symbol, indices: Indices, value: Scalar) -> Scalar:
         """The reference to a definition; outputs and what needs the solved motion are read as their expression."""
         dimension = value.dimension if value.dimension is not None else DIMENSIONLESS
-        value = replace(value, dimension=dimension)
+        value = replace(value, dimension=dimension, is_nothing=False)
         unused_port = symbol.kind == "input" and value.expression == flat.ZERO
         if symbol.kind == "output" or unused_port:
             return value
