@@ -163,7 +163,7 @@ static void approach(lag_rates *r)
     }
 }
 
-/* What is free in a part, behind other directions. */
+/* The free directions of a part stand behind other directions. */
 static void append(const lag_rates *r, size_t which, lag_directions *directions)
 {
     const size_t n = r->its.columns;
