@@ -96,16 +96,26 @@ static int probe(lag_stepper *s, double h, double *second, double *third)
     return 1;
 }
 
-/* Derivatives of higher order grow as the known ones do; any one of these may be small by accident, and h resolves no more than 1/h. */
-static double first_length_of(const lag_stepper *s, double h, double first, double second, double third)
+/*
+ * Length of a step whose error is a part in a hundred of the tolerance, and whose round-off is no larger. Derivatives of higher order are expected to grow
+ * as the known ones do, of which one may be small by accident; over h nothing is seen that grows faster than 1/h. Without a third derivative nothing tells
+ * how others grow: the length is a hundred times h.
+ */
+static double length_by_derivatives(const lag_stepper *s, double h, double first, double second, double third)
 {
     const double growth = fmin(fmin(sqrt(third / first), third / second), 1.0 / h);
     const double order = (double)s->method->error_order;
-    const double h1 = third > 0.0 ? pow(0.01 / (third * pow(growth, order - 2.0)), 1.0 / (order + 1.0)) : (double)INFINITY;
+    const double h1 = third > 0.0 ? pow(0.01 / (third * pow(growth, order - 2.0)), 1.0 / (order + 1.0)) : 100.0 * h;
     return fmin(h1, 0.01 / (DBL_EPSILON * first));
 }
 
-/* Length of the first step. */
+/*
+ * Length of the first step. The first probe changes the state by a part in a hundred; where the length by what is seen there is more than a hundred
+ * times as long, a probe so much longer looks again, up to a tenth of the span.
+ *
+ * Sources: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.4, "Starting step size", for the first probe, the
+ * part of the tolerance and the hundred; Hindmarsh and others, ACM Trans. Math. Softw. 31 (2005) 363 (CVODE), for more than one probe and the tenth.
+ */
 static double first_length(lag_stepper *s, double span)
 {
     const double farthest = fmin(0.1 * span, s->h_most);
@@ -118,12 +128,12 @@ static double first_length(lag_stepper *s, double span)
         if (!(h > 0.0) || !probe(s, h, &d2, &d3)) {
             return fmax(1e-3 * h, s->h_least);
         }
-        const double next = fmax(h, fmin(100.0 * h, farthest));
-        const double h1 = first_length_of(s, h, d1, d2, d3);
-        if (h1 <= next || next <= h) {
-            return fmin(h1, next);
+        const double longer = fmax(h, fmin(100.0 * h, farthest));
+        const double found = length_by_derivatives(s, h, d1, d2, d3);
+        if (found <= longer || longer <= h) {
+            return fmin(found, longer);
         }
-        h = next;
+        h = longer;
     }
 }
 
