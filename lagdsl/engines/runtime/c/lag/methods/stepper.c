@@ -66,29 +66,75 @@ double lag_stepper_norm(const lag_stepper *s, const double *error)
 }
 
 /*
- * Length of the first step for an error estimate of the given order.
- * Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.4, "Starting step size".
+ * Derivatives of the motion that starts at the present state, as parts of the tolerances: the second and the third by differences of the rates there,
+ * at h/2 and at h, where the midpoint rule leads. Returns 0 where there are no rates.
+ */
+static int probe(lag_stepper *s, double h, double *second, double *third)
+{
+    const size_t size = s->ode->size;
+    double *point = s->x_before;
+    double *middle = s->f_before;
+    double *end = s->work;
+    for (size_t i = 0; i < size; ++i) {
+        point[i] = s->x[i] + 0.5 * h * s->f[i];
+    }
+    if (lag_stepper_rates(s, s->t + 0.5 * h, point, middle) != LAG_OK) {
+        return 0;
+    }
+    for (size_t i = 0; i < size; ++i) {
+        point[i] = s->x[i] + h * middle[i];
+    }
+    if (lag_stepper_rates(s, s->t + h, point, end) != LAG_OK) {
+        return 0;
+    }
+    for (size_t i = 0; i < size; ++i) {
+        point[i] = end[i] - s->f[i];
+        middle[i] = (end[i] - middle[i]) - (middle[i] - s->f[i]);
+    }
+    *second = lag_stepper_norm(s, point) / h;
+    *third = lag_stepper_norm(s, middle) / (0.5 * h * h);
+    return 1;
+}
+
+/*
+ * Length of a step whose error is a part in a hundred of the tolerance, and whose round-off is no larger. Derivatives of higher order are expected to grow
+ * as the known ones do, of which one may be small by accident; over h nothing is seen that grows faster than 1/h. Without a third derivative nothing tells
+ * how others grow: the length is a hundred times h.
+ */
+static double length_by_derivatives(const lag_stepper *s, double h, double first, double second, double third)
+{
+    const double growth = fmin(fmin(sqrt(third / first), third / second), 1.0 / h);
+    const double order = (double)s->method->error_order;
+    const double h1 = third > 0.0 ? pow(0.01 / (third * pow(growth, order - 2.0)), 1.0 / (order + 1.0)) : 100.0 * h;
+    return fmin(h1, 0.01 / (DBL_EPSILON * first));
+}
+
+/*
+ * Length of the first step. The first probe changes the state by a part in a hundred; where the length by what is seen there is more than a hundred
+ * times as long, a probe so much longer looks again, up to a tenth of the span.
+ *
+ * Sources: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.4, "Starting step size", for the first probe, the
+ * part of the tolerance and the hundred; Hindmarsh and others, ACM Trans. Math. Softw. 31 (2005) 363 (CVODE), for more than one probe and the tenth.
  */
 static double first_length(lag_stepper *s, double span)
 {
-    const size_t size = s->ode->size;
+    const double farthest = fmin(0.1 * span, s->h_most);
     const double d0 = lag_stepper_norm(s, s->x);
     const double d1 = lag_stepper_norm(s, s->f);
-    double h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1;
-    h0 = fmin(h0, fmin(span, s->h_most));
-    for (size_t i = 0; i < size; ++i) {
-        s->x_before[i] = s->x[i] + h0 * s->f[i];
+    double h = fmin(d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1, fmin(span, s->h_most));
+    for (;;) {
+        double d2 = 0.0;
+        double d3 = 0.0;
+        if (!(h > 0.0) || !probe(s, h, &d2, &d3)) {
+            return fmax(1e-3 * h, s->h_least);
+        }
+        const double longer = fmax(h, fmin(100.0 * h, farthest));
+        const double found = length_by_derivatives(s, h, d1, d2, d3);
+        if (found <= longer || longer <= h) {
+            return fmin(found, longer);
+        }
+        h = longer;
     }
-    if (!(h0 > 0.0) || lag_stepper_rates(s, s->t + h0, s->x_before, s->f_before) != LAG_OK) {
-        return fmax(1e-3 * h0, s->h_least);
-    }
-    for (size_t i = 0; i < size; ++i) {
-        s->f_before[i] -= s->f[i];
-    }
-    const double d2 = lag_stepper_norm(s, s->f_before) / h0;
-    const double most = fmax(d1, d2);
-    const double h1 = most <= 1e-15 ? fmax(1e-6, 1e-3 * h0) : pow(0.01 / most, 1.0 / (double)(s->method->error_order + 1));
-    return fmin(fmin(100.0 * h0, h1), fmin(span, s->h_most));
 }
 
 lag_status lag_stepper_begin(lag_stepper *s, const lag_method *method, double span)
