@@ -81,7 +81,7 @@ DOCKING = [
         ),
         1.0,
         {"n": 1, "at": 0.5},
-        near=1e-5,  # 16 roundings of each of a and b are 5e-8, and are passed in 5e-6 s
+        near=1e-6,
     ),
     Attack(
         "relation_of_something_small",

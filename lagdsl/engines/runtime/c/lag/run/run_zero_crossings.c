@@ -55,12 +55,25 @@ static double refine(change *one, double a, double fa, double b, double root, do
     return jumps ? fmin(b, root + LAG_SCAN_TOGETHER * tolerance) : better;
 }
 
+/* A place at most the length of the interval before a where the value is positive, beside *fa, its value there; a where the step has none. */
+static double before_zero(change *one, double a, double *fa, double b)
+{
+    const double earlier = fmax(one->run->stepper.t_before, a - (b - a));
+    const double value = earlier < a ? value_of(one, earlier) : *fa;
+    const int is_clear = value > fabs(*fa);
+    *fa = is_clear ? value : *fa;
+    return is_clear ? earlier : a;
+}
+
 /*
- * Time at which number `which`, which is fa at a and fb at b, where it has changed, does so. A value that is zero but for round-off at a, as after an
- * impact, tells nothing: the interval is halved until its ends have different signs and alike sizes.
+ * Time at which number `which`, which is fa at a and fb at b, where it has changed, does so. A value that is zero but for round-off at a tells nothing: the
+ * interval begins earlier or, as after an impact, is halved until its ends have different signs and alike sizes.
  */
 static double root_of(change *one, double a, double fa, double b, double fb, double tolerance)
 {
+    if (fabs(fa) < ALIKE * fabs(fb)) {
+        a = before_zero(one, a, &fa, b);
+    }
     for (int k = 0; k < HALVES; ++k) {
         const double middle = a + 0.5 * (b - a);
         if (lag_root_sign(fa) != lag_root_sign(fb) && fabs(fa) >= ALIKE * fabs(fb)) {
