@@ -81,8 +81,14 @@ static int is_consistent_mode(const lag_modes *modes, size_t k)
     return moves && (lag_frictions_components(frictions, k) > 1 || lag_frictions_guard(frictions, k) > 0.0);
 }
 
+/* 1: contact i pulls. Sizes of forces may be older than a load that acts since this instant: they are found again before a contact opens. */
+static int pulls(const lag_modes *modes, size_t i, double most, double t, const double *x)
+{
+    return !has_admissible_force(modes, i, most) && lag_contacts_find_forces(modes->contacts, t, x) == LAG_OK && !has_admissible_force(modes, i, most);
+}
+
 /* Touches what has to be looked for with closed contacts that were solved with all candidates closed; 1: there is something. */
-static int find_touched(lag_modes *modes, const double *left)
+static int find_touched(lag_modes *modes, double t, const double *x, const double *left)
 {
     const lag_model *model = modes->motion->model;
     double most = 1e-300;
@@ -92,7 +98,7 @@ static int find_touched(lag_modes *modes, const double *left)
         most = fmax(most, modes->normal[i] != 0.0 ? fabs(lag_contacts_multiplier(modes->contacts, i)) : 0.0);
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
-        if (modes->normal[i] != 0.0 && ((left != NULL && left[i] != 0.0) || !has_admissible_force(modes, i, most))) {
+        if (modes->normal[i] != 0.0 && ((left != NULL && left[i] != 0.0) || pulls(modes, i, most, t, x))) {
             touch(modes, contact_row(modes, i));
             any = 1;
         }
@@ -244,7 +250,7 @@ lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const dou
         return LAG_OK;
     }
     lag_status status = evaluate_forces(modes, t, x);
-    if (status == LAG_OK && !find_touched(modes, left)) {
+    if (status == LAG_OK && !find_touched(modes, t, x, left)) {
         return LAG_OK;
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
