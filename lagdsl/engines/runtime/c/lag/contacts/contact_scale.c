@@ -10,6 +10,8 @@
 
 /* A gap is zero where an event is looked at below this part of its length, a rate below this part of its speed. */
 static const double TOUCHING = 1e-12;
+/* A coordinate is as good as zero below this part of its unit. */
+static const double LEAST = 1e-12;
 /* Below these parts of its length and of its force, a value is round-off and no event. */
 static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double NO_FORCE = 1e-13;
@@ -45,7 +47,7 @@ double lag_contacts_scale(const lag_contacts *contacts, size_t i)
         length += fabs(row[j]) * lag_higher(contacts->sizes.peak[j], contacts->sizes.least[j]);
         slopes += fabs(row[j]);
     }
-    return length > 0.0 ? length : slopes;
+    return length > 0.0 ? lag_higher(length, LEAST * slopes) : slopes;
 }
 
 double lag_contacts_pace(const lag_contacts *contacts, size_t i)
