@@ -11,8 +11,8 @@ from lagdsl.motion.signals.trajectory import Column, Event, Trajectory
 
 _MOST_KINDS = 16
 _LONGEST_NAME = 40
-# A number below this part of the largest of its column is a rounding error of that: the table shows zero.
-_ROUNDING = 1e-12
+# A number below this part of the largest of its column is what rounding errors of times and states make of zero.
+_ROUNDING = 1e-11
 
 
 def summary(trajectory: Trajectory, *, freedom: int, loops: tuple[str, ...], curves: bool) -> str:
