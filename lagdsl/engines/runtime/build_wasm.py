@@ -11,8 +11,8 @@ from lagdsl.engines.runtime.building.compiler import Compiler, find_compiler
 from lagdsl.engines.runtime.library import PROTOTYPES
 from lagdsl.foundation.resources import c_folder, sources_in
 
-# The system interface is there for its library of mathematics; nothing of it is imported. Pages carry the module: so the
-# compiler prefers what is small, of which loops that it does not unroll are a fifth, and functions that stand alone a tenth.
+# The system interface is there for its library of mathematics; nothing of it is imported. Pages carry the module, so
+# the compiler prefers what is small: loops that are not unrolled save a fifth, functions that stand alone a tenth.
 _SMALL = ("-Os", "-fno-unroll-loops", "-mllvm", "-inline-threshold=5")
 _TARGET = ("-target", "wasm32-wasi", "-mexec-model=reactor", *_SMALL)
 

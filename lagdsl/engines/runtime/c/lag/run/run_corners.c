@@ -191,17 +191,14 @@ lag_status lag_run_face_corners(lag_run *run)
 /* 1: nothing but corners was found to change. */
 static int only_corners(const lag_run *run)
 {
-    const lag_model *model = run->motion.model;
-    return !lag_any(lag_guard_count(model), run->guards.changed);
+    return !lag_any(lag_guard_count(run->motion.model), run->guards.changed);
 }
 
 /* LAG_EVENT_PENDING: relations or contacts have changed at t, within the last step. */
 static lag_status detect_jumps(lag_run *run, double t)
 {
-    const lag_model *model = run->motion.model;
     const lag_status status = lag_scan_detect(run, t);
-    const int any = lag_any(lag_guard_count(model), run->guards.changed);
-    return status == LAG_EVENT_PENDING && !any ? LAG_OK : status;
+    return status == LAG_EVENT_PENDING && only_corners(run) ? LAG_OK : status;
 }
 
 /*
