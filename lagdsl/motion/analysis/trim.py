@@ -155,7 +155,7 @@ def trim_at(
         return None
     task, found = reached
     point = task.point(found.point)
-    at = reduce(system, point, holonomic_rows(system), sink)
+    at = reduce(system, point, holonomic_rows(system), sink, outputs=False)
     if at is None:
         return None
     kind = steadiness(system, at)
