@@ -18,9 +18,7 @@ def first_steps(engine: Engine, flat: FlatModel, most: int, tolerance: float) ->
     begin, end = flat.experiment.start_time, flat.experiment.stop_time
     while True:
         try:
-            simulate(
-                engine, flat, stop=end, interval=end - begin, tolerance=tolerance, max_steps=most, sink=Sink()
-            )
+            simulate(engine, flat, stop=end, interval=end - begin, tolerance=tolerance, max_steps=most, sink=Sink())
         except SimulationFailed as failure:
             if failure.diagnostic.code != _TOO_MANY_STEPS:
                 raise

@@ -37,8 +37,8 @@ _LAW = 1e-9
 
 
 def friction(compilation: Compilation, interval: float, end: float | None = None) -> Iterator[Line]:
-    """One line: the worst deviation from the law along the motion up to `end`, with its friction and time; nothing for a
-    model without friction."""
+    """One line: the worst deviation from the law along the motion up to `end`, with its friction and time; nothing for
+    a model without friction."""
     if not compilation.flat.events.frictions:
         return
     name, says = "friction", "its power is never positive; it slides with its limit, and sticks within it, without slip"

@@ -31,7 +31,7 @@ _RESTS = 1e-12
 
 
 def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
-    """The motion of the model's experiment, as far as so many steps lead, and the same with a tenth of its tolerance."""
+    """The motion of the model's experiment, as far as _MOST_STEPS lead, and that with a tenth of its tolerance."""
     flat = compilation.flat
     name, says = "motion", "the motion of the experiment runs to its end"
     experiment = flat.experiment

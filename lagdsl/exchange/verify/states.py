@@ -177,8 +177,8 @@ def is_regular(program: Program, states: Arrays) -> Flags:
 
 
 def _scaled(mass: Any, jacobian: Any) -> Any:
-    """The saddle point where units do not count: coordinates by their inertia, those without by their rows, rows by what
-    they are then. So a small inertia beside a row, as that of a thin rod whose turns are quaternions, is not small."""
+    """The saddle point where units do not count: coordinates by their inertia, those without by their rows, rows by
+    what they are then. So a small inertia beside a row, as that of a thin rod turned by quaternions, is not small."""
     inertia, slope = (np.max(np.abs(each), axis=0, initial=0.0) for each in (mass, jacobian))
     coordinates = np.sqrt(np.where(inertia > 0.0, inertia, np.where(slope > 0.0, slope**2, 1.0)))
     jacobian = jacobian / coordinates

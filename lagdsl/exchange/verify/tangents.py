@@ -34,6 +34,8 @@ _PART = 0.99
 _STEPS = 3000
 # Of all these runs.
 _TOLERANCE = 1e-12
+# Of the largest derivative of its kind: errors of so many steps add up in each, as random ones do.
+_RIGHT = float(np.sqrt(_STEPS)) * _TOLERANCE
 # A column whose derivative is below this part of the values of its kind rests: differences are of rounding there.
 _RESTS = 1e-2
 # Steps of the differences, as parts of each value: long ones have little rounding, short ones stay among the same
@@ -219,11 +221,17 @@ class _Table:
         )
         same &= np.all(np.isfinite(sixth), axis=0) & self.differentiated
         size = np.max(np.abs(np.where(same, sixth, 0.0)), axis=1, initial=0.0)
+        size = np.maximum(size, _RIGHT / LIMIT * self._largest_of_kind(size))
         size = np.maximum(size, _RESTS * self._usual)[:, None]
         converged = same & (_WEIGHT * rough <= LIMIT * size)
         distance = np.where(converged, np.abs(sixth - self.derivative) / size, np.inf)
         self.distance = np.fmin(self.distance, np.where(np.isnan(distance), np.inf, distance))
         self.same |= converged
+
+    def _largest_of_kind(self, sizes: Floats) -> Floats:
+        """Of each column (columns,): the largest of the sizes of its kind."""
+        kinds = np.array([kind for _, kind in self.names])
+        return np.array([np.max(sizes[kinds == kind]) for kind in kinds])
 
     @property
     def _usual(self) -> Floats:

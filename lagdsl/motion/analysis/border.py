@@ -181,9 +181,7 @@ def _looked_at(system: System, at: Reduced, found: Sequence[Switch], side: Signs
     for switch, sign in zip(found, side, strict=True):
         if switch.entry is not None and sign:
             w[switch.entry] = float(sign > 0)
-    own = reduce(
-        system, replace(there.point, w=w), at.partition.held, Sink(), at.partition, outputs=len(at.flow.y) > 0
-    )
+    own = reduce(system, replace(there.point, w=w), at.partition.held, Sink(), at.partition, outputs=len(at.flow.y) > 0)
     return None if own is None else _Beside(side, own)
 
 
