@@ -42,8 +42,8 @@ _RESTS = 1e-2
 # events, and where the motion is nearly linear. The first one decides about most motions.
 _PARTS = (2.0**-8, 2.0**-5, 2.0**-11, 2.0**-14, 2.0**-17)
 # How much more of the rounding of values is in differences of the sixth order, (45 a - 9 b + c)/60, than in what those
-# of the fourth order differ from them by, (5 a - 4 b + c)/60.
-_WEIGHT = float(np.sqrt((45**2 + 9**2 + 1) / (5**2 + 4**2 + 1)))
+# of the fourth order differ from them by, (5 a - 4 b + c)/60; three standard deviations of it.
+_WEIGHT = 3.0 * float(np.sqrt((45**2 + 9**2 + 1) / (5**2 + 4**2 + 1)))
 _PLACES = (-3, -2, -1, 1, 2, 3)
 _KINDS = ("coordinate", "rate", "state")
 _Events: TypeAlias = list[tuple[str, str]]
@@ -223,7 +223,8 @@ class _Table:
         size = np.max(np.abs(np.where(same, sixth, 0.0)), axis=1, initial=0.0)
         size = np.maximum(size, _RIGHT / LIMIT * self._largest_of_kind(size))
         size = np.maximum(size, _RESTS * self._usual)[:, None]
-        converged = same & (_WEIGHT * rough <= LIMIT * size)
+        so_far = np.maximum.accumulate(np.where(same, rough, 0.0), axis=1)  # one entry may be small by chance
+        converged = same & (_WEIGHT * so_far <= LIMIT * size)
         distance = np.where(converged, np.abs(sixth - self.derivative) / size, np.inf)
         self.distance = np.fmin(self.distance, np.where(np.isnan(distance), np.inf, distance))
         self.same |= converged
