@@ -30,7 +30,7 @@ def _compiled(text: str) -> Compilation:
 def _thin(beam: str, section: str, n: int = 1) -> Compilation:
     return _compiled(
         f"model Thin import Lag.Flexible.{beam};"
-        f"{beam} arm(n = {n}, L = 1 m, A = 60 mm^2, {section} = 45 mm^4, E = 70 GPa, density = 2700 kg/m3, zeta = 0.02);"
+        f"{beam} arm(n = {n}, L = 1 m, A = 60 mm^2, {section} = 45 mm^4, density = 2700 kg/m3, zeta = 0.02);"
         "gravity = -g_n*world.y; connect(world, arm); end Thin;"
     )
 
