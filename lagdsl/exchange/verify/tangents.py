@@ -41,8 +41,8 @@ _RESTS = 1e-2
 # Steps of the differences, as parts of each value: long ones have little rounding, short ones stay among the same
 # events, and where the motion is nearly linear. The first one decides about most motions.
 _PARTS = (2.0**-8, 2.0**-5, 2.0**-11, 2.0**-14, 2.0**-17)
-# How much more of the rounding of values is in differences of the sixth order, (45 a - 9 b + c)/60, than in what those
-# of the fourth order differ from them by, (5 a - 4 b + c)/60; three standard deviations of it.
+# Differences of the sixth order, (45 a - 9 b + c)/60, have so many times the rounding of their distance to those of the
+# fourth, (5 a - 4 b + c)/60; three standard deviations of it.
 _WEIGHT = 3.0 * float(np.sqrt((45**2 + 9**2 + 1) / (5**2 + 4**2 + 1)))
 _PLACES = (-3, -2, -1, 1, 2, 3)
 _KINDS = ("coordinate", "rate", "state")
