@@ -36,9 +36,9 @@ from lagdsl.motion.simulate.simulate import simulate
 _LAW = 1e-9
 
 
-def friction(compilation: Compilation, interval: float) -> Iterator[Line]:
-    """One line: the worst deviation from the law along the motion, with its friction and time; nothing for a model
-    without friction."""
+def friction(compilation: Compilation, interval: float, end: float | None = None) -> Iterator[Line]:
+    """One line: the worst deviation from the law along the motion up to `end`, with its friction and time; nothing for
+    a model without friction."""
     if not compilation.flat.events.frictions:
         return
     name, says = "friction", "its power is never positive; it slides with its limit, and sticks within it, without slip"
@@ -46,7 +46,7 @@ def friction(compilation: Compilation, interval: float) -> Iterator[Line]:
     assert made is not None, "a model that compiles does so with other outputs"
     system = System(made.flat, made.program, engine_of(made.program, "tape"))
     try:
-        rows = simulate(system.engine, made.flat, interval=interval)
+        rows = simulate(system.engine, made.flat, stop=end, interval=interval)
     except SimulationFailed as failure:
         yield Line(name=name, says=says, note=failure.diagnostics[0].message)
         return

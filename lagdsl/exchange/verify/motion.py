@@ -10,6 +10,7 @@ from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.exchange.verify.certificate import Line
 from lagdsl.exchange.verify.conserved.along import along
 from lagdsl.exchange.verify.conserved.find import conserved_quantities
+from lagdsl.exchange.verify.first_steps import first_steps
 from lagdsl.exchange.verify.friction import friction
 from lagdsl.exchange.verify.states import coordinate_sizes
 from lagdsl.foundation.diagnostics import CompilationFailed
@@ -21,6 +22,8 @@ from lagdsl.motion.simulate.initialize import initial_state
 from lagdsl.motion.simulate.simulate import simulate
 
 _ROWS = 201
+# Of the motion that is looked at, with a tenth of its tolerance.
+_MOST_STEPS = 100_000
 _ON_CONSTRAINTS = 1e-6
 _FINER = 0.1
 # A coordinate with a range of this part of its natural size rests; its range is round-off.
@@ -28,20 +31,25 @@ _RESTS = 1e-12
 
 
 def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
-    """The motion of the model's experiment, and the same with a tenth of its tolerance."""
+    """The motion of the model's experiment, as far as _MOST_STEPS lead, and that with a tenth of its tolerance."""
     flat = compilation.flat
     name, says = "motion", "the motion of the experiment runs to its end"
     experiment = flat.experiment
-    interval = (experiment.stop_time - experiment.start_time) / (_ROWS - 1)
+    begin, tolerance = experiment.start_time, experiment.tolerance
     try:
-        found = simulate(engine, flat, interval=interval)
-        finer = simulate(engine, flat, interval=interval, tolerance=_FINER * experiment.tolerance)
+        end = first_steps(engine, flat, _MOST_STEPS, _FINER * tolerance)
+        interval = (end - begin) / (_ROWS - 1)
+        found = simulate(engine, flat, stop=end, interval=interval)
+        finer = simulate(engine, flat, stop=end, interval=interval, tolerance=_FINER * tolerance)
     except (CompilationFailed, SimulationFailed) as failure:
         yield Line(name=name, says=says, figure=1.0, limit=0.0, note=failure.diagnostics[0].message)
         return
+    if end < experiment.stop_time:
+        note = f"it takes more than {_MOST_STEPS} steps: the lines below are those of its part up to t = {end:.6g} s"
+        yield Line(name=name, says=says, note=note)
     if flat.constraints:
         yield _on_constraints(found)
-    yield from friction(compilation, interval)
+    yield from friction(compilation, interval, end)
     for invariant in found.invariants:
         yield Line(
             name=f"invariant {invariant.name}",
@@ -51,7 +59,7 @@ def motion(compilation: Compilation, engine: Engine) -> Iterator[Line]:
         )
     quantities = conserved_quantities(compilation)
     if quantities:
-        yield from along(compilation, quantities, found, initial_state(flat, engine).p, experiment.tolerance)
+        yield from along(compilation, quantities, found, initial_state(flat, engine).p, tolerance)
     yield _against_finer(found, finer, coordinate_sizes(flat, compilation.program, initial_state(flat, engine).p))
 
 

@@ -170,12 +170,20 @@ def is_regular(program: Program, states: Arrays) -> Flags:
     phi, _ = values(program, "position_constraint", states)
     sound &= np.max(np.abs(np.nan_to_num(phi, nan=1.0)), axis=1, initial=0.0) < _ON_CONSTRAINTS
     for i in np.flatnonzero(sound):
-        rows = blocks[2][i]
-        matrix = saddle_point(blocks[0][i], rows[independent_rows(program, rows)])
-        if matrix.size:  # scaled: units do not count
-            scale = 1 / np.sqrt(np.maximum(np.max(np.abs(matrix), axis=1), 1e-300))
-            sound[i] = np.linalg.cond(scale[:, None] * matrix * scale) < _WELL_DETERMINED
+        mass, rows = blocks[0][i], blocks[2][i]
+        matrix = _scaled(mass, rows[independent_rows(program, rows)])
+        sound[i] = not matrix.size or np.linalg.cond(matrix) < _WELL_DETERMINED
     return sound
+
+
+def _scaled(mass: Any, jacobian: Any) -> Any:
+    """The saddle point where units do not count: coordinates by their inertia, those without by their rows, rows by
+    what they are then. So a small inertia beside a row, as that of a thin rod turned by quaternions, is not small."""
+    inertia, slope = (np.max(np.abs(each), axis=0, initial=0.0) for each in (mass, jacobian))
+    coordinates = np.sqrt(np.where(inertia > 0.0, inertia, np.where(slope > 0.0, slope**2, 1.0)))
+    jacobian = jacobian / coordinates
+    largest = np.max(np.abs(jacobian), axis=1, initial=0.0)[:, None]
+    return saddle_point(mass / np.outer(coordinates, coordinates), jacobian / np.where(largest > 0.0, largest, 1.0))
 
 
 def independent_rows(program: Program, jacobian: Any) -> list[int]:

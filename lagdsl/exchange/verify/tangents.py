@@ -10,6 +10,7 @@ import numpy as np
 
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.exchange.verify.certificate import Line
+from lagdsl.exchange.verify.first_steps import first_steps
 from lagdsl.foundation.diagnostics import CallRefused, CompilationFailed, Sink
 from lagdsl.foundation.numerics.connected_blocks import Flags
 from lagdsl.foundation.numerics.rank import Floats
@@ -29,15 +30,20 @@ _PARAMETERS, _STARTS = 3, 2
 _ROWS = 21
 # Rows end at this part of the motion: what happens at a round time is between two of them.
 _PART = 0.99
-# They end where the motion has taken about so many steps.
+# They end where the motion has taken so many steps.
 _STEPS = 3000
 # Of all these runs.
 _TOLERANCE = 1e-12
+# Of the largest derivative of its kind: errors of so many steps add up in each, as random ones do.
+_RIGHT = float(np.sqrt(_STEPS)) * _TOLERANCE
 # A column whose derivative is below this part of the values of its kind rests: differences are of rounding there.
 _RESTS = 1e-2
 # Steps of the differences, as parts of each value: long ones have little rounding, short ones stay among the same
 # events, and where the motion is nearly linear. The first one decides about most motions.
 _PARTS = (2.0**-8, 2.0**-5, 2.0**-11, 2.0**-14, 2.0**-17)
+# Differences of the sixth order, (45 a - 9 b + c)/60, have so many times the rounding of their distance to those of the
+# fourth, (5 a - 4 b + c)/60; three standard deviations of it.
+_WEIGHT = 3.0 * float(np.sqrt((45**2 + 9**2 + 1) / (5**2 + 4**2 + 1)))
 _PLACES = (-3, -2, -1, 1, 2, 3)
 _KINDS = ("coordinate", "rate", "state")
 _Events: TypeAlias = list[tuple[str, str]]
@@ -100,10 +106,9 @@ class _Runs:
     def __init__(self, flat: FlatModel, engine: Engine) -> None:
         self.flat, self.engine = flat, engine
         self.initial: InitialState = initial_state(flat, engine)
-        begin, end = flat.experiment.start_time, flat.experiment.stop_time
-        steps = simulate(engine, flat, tolerance=_TOLERANCE, interval=end - begin).statistics.steps
-        end = begin + _PART * (end - begin) * min(1.0, _STEPS / max(steps, 1))
-        self.grid = np.linspace(begin, end, _ROWS)
+        begin = flat.experiment.start_time
+        end = first_steps(engine, flat, _STEPS, _TOLERANCE)
+        self.grid = np.linspace(begin, begin + _PART * (end - begin), _ROWS)
 
     def quantities(self) -> list[_Quantity]:
         """The first parameters that are not zero nor found with the start; starts that are written and hold, else
@@ -176,7 +181,7 @@ class _Table:
         self.derivative = quantity.size * self._at(middle, quantity.name)
         # A motion that ended early has none in its last row.
         self.differentiated = np.all(np.isfinite(self.derivative), axis=0) | (not ended)
-        self.same: Flags = np.zeros(len(grid), dtype=np.bool_)
+        self.same: Flags = np.zeros((len(self.names), len(grid)), dtype=np.bool_)
         self.distance = np.full((len(self.names), len(grid)), np.inf)
 
     def _at(self, motion: Trajectory, by: str = "") -> Floats:
@@ -205,7 +210,7 @@ class _Table:
 
     def add(self, sides: Sequence[Trajectory], part: float) -> None:
         """Differences of the sixth order of rows that have the same events behind them; those of the fourth order tell
-        where they converge."""
+        in which columns they converge: stiff ones have more rounding, others are less linear."""
         values = [self._at(side) for side in sides]
         a, b, c = (values[5 - k] - values[k] for k in (2, 1, 0))
         sixth = (45.0 * a - 9.0 * b + c) / (60.0 * part)
@@ -216,11 +221,18 @@ class _Table:
         )
         same &= np.all(np.isfinite(sixth), axis=0) & self.differentiated
         size = np.max(np.abs(np.where(same, sixth, 0.0)), axis=1, initial=0.0)
+        size = np.maximum(size, _RIGHT / LIMIT * self._largest_of_kind(size))
         size = np.maximum(size, _RESTS * self._usual)[:, None]
-        same &= np.all(rough <= LIMIT * size, axis=0)
-        distance = np.where(same, np.abs(sixth - self.derivative) / size, np.inf)
+        so_far = np.maximum.accumulate(np.where(same, rough, 0.0), axis=1)  # one entry may be small by chance
+        converged = same & (_WEIGHT * so_far <= LIMIT * size)
+        distance = np.where(converged, np.abs(sixth - self.derivative) / size, np.inf)
         self.distance = np.fmin(self.distance, np.where(np.isnan(distance), np.inf, distance))
-        self.same |= same
+        self.same |= converged
+
+    def _largest_of_kind(self, sizes: Floats) -> Floats:
+        """Of each column (columns,): the largest of the sizes of its kind."""
+        kinds = np.array([kind for _, kind in self.names])
+        return np.array([np.max(sizes[kinds == kind]) for kind in kinds])
 
     @property
     def _usual(self) -> Floats:
@@ -237,7 +249,7 @@ class _Table:
 
     def told(self, name: str, reason: str) -> ComparedTangent:
         """`reason` is that of the motion with derivatives, which ended early."""
-        rows = int(np.sum(self.same))
+        rows = int(np.sum(np.all(self.same, axis=0)))
         distance = np.where(self.same, self.distance, 0.0)
         worst = np.unravel_index(int(np.argmax(distance)), distance.shape) if distance.size and rows else None
         if rows < len(self.grid) and not reason:

@@ -25,6 +25,7 @@ Bounds = tuple[Floats, Floats]  # lower, upper, both (n,)
 
 _SMALLEST_DAMPING = 1e-3
 _LARGEST_DAMPING = 1e8
+_STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 
 
 @record(kw_only=True)
@@ -100,6 +101,19 @@ def _held_at(bounds: Flags, jacobian: Jacobian) -> Jacobian:
     if isinstance(jacobian, SparseMatrix):
         return jacobian.with_values(np.where(bounds[jacobian.columns], 0.0, jacobian.values))
     return np.where(bounds, 0.0, jacobian)
+
+
+def sprung(equations: Equations, origin: Floats) -> Floats:
+    """The least (n,) of |equations(y)|^2 + e |y|^2 for ever smaller e, each from the last: it stays near `origin`."""
+    point, identity = origin, np.eye(len(origin))
+    for stiffness in _STIFFNESSES:
+
+        def held(y: Floats, stiffness: float = stiffness) -> tuple[Floats, Floats]:
+            residual, jacobian = equations(y)
+            return np.concatenate([residual, stiffness * y]), np.vstack([jacobian, stiffness * identity])
+
+        point = descend(held, point, iterations=10).point
+    return point
 
 
 def _within(bounds: Bounds, point: Floats, step_of: Callable[[Jacobian], Floats], jacobian: Jacobian) -> Floats:

@@ -61,7 +61,8 @@ class _Difference:
 
 
 def on_both_sides(system: System, at: Reduced, sink: Sink, *, of_modes: bool = False) -> Reduced | None:
-    """The linearization `at`, if it is that of all sides; None after E0860. For modes only F and A have to be.
+    """The linearization `at`, if it is that of all sides; None after E0860. For modes only F and A have to be: `at` is
+    without outputs.
 
     Corners may cancel, as those of `max(x, 0) + min(x, 0)`: then it is the one beside them.
     """
@@ -79,8 +80,6 @@ def on_both_sides(system: System, at: Reduced, sink: Sink, *, of_modes: bool = F
     scaled = [(near.matrix * columns, far.matrix * columns) for near, far in pairs]
     rows = np.max(np.abs([near for near, _ in scaled]), axis=(0, 2))[:, None]
     permitted = _ROUNDING * rows + _JUMPS * np.max([np.abs(far - near) for near, far in scaled], axis=0)
-    if of_modes:
-        permitted[len(at.value) :] = np.inf
     difference = _difference([near for near, _ in pairs], columns, rows, permitted)
     if difference is not None:
         _report(system, at, found, difference, sink)
@@ -113,7 +112,7 @@ def _refuse_touching(system: System, at: Reduced, sink: Sink) -> bool:
     for contact, entry in zip(system.flat.events.contacts, entries, strict=True):
         if not point.w[entry]:
             continue
-        beside = reduce(system, opened(system, point, contact.name), at.partition.held, Sink())
+        beside = reduce(system, opened(system, point, contact.name), at.partition.held, Sink(), outputs=False)
         if beside is None or len(beside.value) == len(at.value):
             continue
         _, omega = state_sizes(system, beside)
@@ -182,7 +181,7 @@ def _looked_at(system: System, at: Reduced, found: Sequence[Switch], side: Signs
     for switch, sign in zip(found, side, strict=True):
         if switch.entry is not None and sign:
             w[switch.entry] = float(sign > 0)
-    own = reduce(system, replace(there.point, w=w), at.partition.held, Sink(), at.partition)
+    own = reduce(system, replace(there.point, w=w), at.partition.held, Sink(), at.partition, outputs=len(at.flow.y) > 0)
     return None if own is None else _Beside(side, own)
 
 

@@ -12,7 +12,7 @@ Society A 463 (2007) 1955-1982, appendix.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -33,7 +33,10 @@ class Named:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reduced:
-    """The reduced flow at a point: F (nx,), and A, B, C, D; `along` are the directions of states, then inputs."""
+    """The reduced flow at a point: F (nx,), and A, B, C, D; `along` are the directions of states, then inputs.
+
+    y, C and D have no rows where outputs were not asked for.
+    """
 
     flow: Flow
     partition: Partition
@@ -51,9 +54,18 @@ def holonomic_rows(system: System) -> list[int]:
 
 
 def reduce(
-    system: System, point: Point, held: Sequence[int], sink: Sink, chart: Partition | None = None
+    system: System,
+    point: Point,
+    held: Sequence[int],
+    sink: Sink,
+    chart: Partition | None = None,
+    *,
+    outputs: bool = True,
 ) -> Reduced | None:
-    """A, B, C, D at `point`, in the best chart there or in that of `chart`; None after E0850, E0851, E0855."""
+    """A, B, C, D at `point`, in the best chart there or in that of `chart`; None after E0850, E0851, E0855.
+
+    Small motions have no need of `outputs`, which may have no derivative, as the norm of a vector that is zero.
+    """
     with np.errstate(all="ignore"):
         here = flow(system, point, sink)
         chosen = None if here is None else partition(system, point, held, sink)
@@ -67,12 +79,13 @@ def reduce(
     value = np.concatenate([point.qd[position], here.qdd[rate], here.zd])
     rates = np.hstack([along.qd[:, position], found.qdd[:, rate], found.zd]).T
     states = len(value)
-    whole = np.vstack([rates, found.y.T])
+    told = len(here.y) if outputs else 0
+    whole = np.vstack([rates, found.y.T[:told]])
     if not np.all(np.isfinite(whole)) or not np.all(np.isfinite(value)):
         _report_infinite(system, chosen, whole, value, sink)
         return None
     return Reduced(
-        flow=here,
+        flow=replace(here, y=here.y[:told]),
         partition=chosen,
         along=along,
         value=value,

@@ -125,7 +125,7 @@ def growth(at: Reduced) -> tuple[float, ...]:
 
 
 def _reduced(system: System, point: Point, held: Sequence[int], sink: Sink) -> Reduced | None:
-    at = reduce(system, point, held, sink)
+    at = reduce(system, point, held, sink, outputs=False)
     return None if at is None else on_both_sides(system, at, sink, of_modes=True)
 
 

@@ -153,7 +153,7 @@ def _elsewhere(
             other, group = turning.turned(other, _TURN * shift / omega)
             if not _holds(system, other, at):
                 return [(i, float(at.flow.point.qd[place])) for i, place in enumerate(at.partition.position[:1])]
-        found = None if other is None else reduce(system, other, at.partition.held, Sink(), at.partition)
+        found = None if other is None else reduce(system, other, at.partition.held, Sink(), at.partition, outputs=False)
         if found is None:
             return []  # the chart ends there: nothing is known against it
         if turning is not None:

@@ -26,7 +26,7 @@ from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.diagnostics.suggest import listing
 from lagdsl.foundation.numerics.gradient_flow import fall
 from lagdsl.foundation.numerics.homotopy import release, settle
-from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer, descend
+from lagdsl.foundation.numerics.levenberg_marquardt import Equations, Minimizer, descend, sprung
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.units.naming import rate_text
 from lagdsl.motion.analysis.discretes import discretes_at, open_contacts
@@ -61,7 +61,6 @@ _MOST_TOLD = 4
 _MOST_CHANGES = 12
 # Rates of growth below this part of the fastest rate are rounding errors.
 _ROUNDING = 1e-13
-_STIFFNESSES = (1.0, 0.3, 0.1, 0.03, 0.01)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,7 +154,7 @@ def trim_at(
         return None
     task, found = reached
     point = task.point(found.point)
-    at = reduce(system, point, holonomic_rows(system), sink)
+    at = reduce(system, point, holonomic_rows(system), sink, outputs=False)
     if at is None:
         return None
     kind = steadiness(system, at)
@@ -254,7 +253,7 @@ def _search(task: _Task) -> tuple[Minimizer, Floats]:
     if not (ends[0][0].size <= _HOLDS and float(np.linalg.norm(ends[0][0].point)) <= _CLOSE):
         low = _fallen(task, equations, own, scale)
         fallen = [] if low is None else [found for found in [end(low)] if found[0].size <= _HOLDS]
-        ways = (descend(equations, start, target=1e-12) for start in (origin, _sprung(equations, origin)))
+        ways = (descend(equations, start, target=1e-12) for start in (origin, sprung(equations, origin)))
         ends = fallen or ends + [end(way) for way in ways]
 
     def order(found: tuple[Minimizer, float]) -> tuple[bool, bool, float, float]:
@@ -321,8 +320,22 @@ def _judged(task: _Task, scale: Floats, way: Minimizer) -> tuple[Minimizer, Floa
     if not np.isfinite(way.size):
         return way, scale
     there = np.fmax(scale, _scale(task, way.point))
-    residual = task.equations(way.point)[0] / there
-    return replace(way, residual=residual, size=float(np.linalg.norm(residual))), there
+    residual, jacobian = task.equations(way.point)
+    size = float(np.linalg.norm(residual / there))
+    if len(task.rates) == len(task.start.q):
+        size = max(size, _unbalanced(task, way.point, residual, jacobian))
+    return replace(way, residual=residual / there, size=size), there
+
+
+def _unbalanced(task: _Task, x: Floats, residual: Floats, jacobian: Floats) -> float:
+    """The forces M qdd as parts of what natural displacements cause: the pin of a thin beam, whose acceleration is
+    1e-12 of those by strains, holds no torque."""
+    mass, _, rows, _ = task.system.engine.evaluate("dynamics", *task.point(x).arguments)
+    first = len(holonomic_rows(task.system)) + len(rows)
+    forces, slopes = (mass @ each[first : first + len(mass)] for each in (residual, jacobian))
+    sizes = np.linalg.norm(slopes, axis=1)
+    told = sizes > 1e-12 * np.max(sizes, initial=0.0)
+    return float(np.linalg.norm(forces[told] / sizes[told]))
 
 
 def _independent(task: _Task, scale: Floats, x: Floats) -> Floats:
@@ -363,19 +376,6 @@ def _scale(task: _Task, x: Floats) -> Floats:
     return np.where(scale > 0.0, scale, 1.0)
 
 
-def _sprung(equations: Equations, origin: Floats) -> Floats:
-    """The least of |equations(y)|^2 + e |y|^2 for ever smaller e, each from the last: it stays near the start."""
-    point, identity = origin, np.eye(len(origin))
-    for stiffness in _STIFFNESSES:
-
-        def sprung(y: Floats, stiffness: float = stiffness) -> tuple[Floats, Floats]:
-            residual, jacobian = equations(y)
-            return np.concatenate([residual, stiffness * y]), np.vstack([jacobian, stiffness * identity])
-
-        point = descend(sprung, point, iterations=10).point
-    return point
-
-
 def _report(task: _Task, found: Minimizer, scale: Floats, sink: Sink) -> None:
     """E0852 with what is left for each coordinate, largest first, and where."""
     layout, flat = task.system.engine.layout, task.system.flat
@@ -387,7 +387,7 @@ def _report(task: _Task, found: Minimizer, scale: Floats, sink: Sink) -> None:
         named.append(Named(f"der(der({c.name}))", rate_text(c.dimension, c.unit).replace("/s", "/s2")))
     named += [Named(f"der({s.name})", rate_text(s.dimension, s.unit)) for s in flat.states]
     order = sorted(range(len(named)), key=lambda i: -abs(found.residual[i]))[:_MOST_TOLD]
-    order = [i for i in order if abs(found.residual[i]) > _HOLDS]
+    order = [i for i in order if abs(found.residual[i]) > _HOLDS] or order[:1]
     told = [f"{named[i].name} = {found.residual[i] * scale[i]:.4g} {named[i].unit}".rstrip() for i in order]
     left = f"{told[0]} remains" if told and np.isfinite(found.size) else "the accelerations are not finite"
     closest = configuration(flat, task.point(found.point).q)

@@ -124,7 +124,7 @@ class _Spectrum:
         sink.raise_if_errors()
 
     def _reduced(self, value: float, sink: Sink) -> Reduced | None:
-        at = reduce(self.system, self.place(value), self.held, sink)
+        at = reduce(self.system, self.place(value), self.held, sink, outputs=False)
         return None if at is None else on_both_sides(self.system, at, sink, of_modes=True)
 
 

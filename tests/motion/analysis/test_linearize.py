@@ -216,6 +216,27 @@ def test_e0855_at_a_kink() -> None:
     assert "der(x)" in failure.value.diagnostics[0].message
 
 
+def test_an_output_without_a_derivative_is_no_matter_of_small_motions() -> None:
+    """The norm of a zero vector: the oscillator has modes and a stable equilibrium, its output no row of C."""
+    text = """model Kink
+      coordinate Length x;
+      coordinate Length y;
+      gravity = 0;
+      mass 1 kg at {x, y};
+      potential 1/2*(4 N/m)*x^2 + 1/2*(9 N/m)*y^2;
+      output Length r = sqrt(x^2 + y^2);
+    end Kink;
+    """
+    model = lagdsl.compile(text)
+    modes = model.modes()
+    assert 2.0 * np.pi * modes.frequencies == pytest.approx([2.0, 2.0, 3.0, 3.0], rel=1e-12)
+    assert model.trim().steadiness.kind == "equilibrium"
+    with pytest.raises(lagdsl.CompilationFailed) as failure:
+        model.linearize()
+    assert [d.code for d in failure.value.diagnostics] == ["E0855"]
+    assert "output `r`" in failure.value.diagnostics[0].message
+
+
 def test_arguments_that_do_not_fit() -> None:
     model = lagdsl.compile(MINIMAL)
     with pytest.raises(ValueError, match="q must have 1 entries"):

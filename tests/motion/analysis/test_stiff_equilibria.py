@@ -26,6 +26,23 @@ end Rod;
     assert 5 * angle == pytest.approx(-9.80665 * x, rel=1e-9)
 
 
+def test_a_thin_beam_on_a_pin_hangs() -> None:
+    """Beside the accelerations by its strains that of the pin is as small as their rounding; its torque is not."""
+    model = lagdsl.compile("""
+model Hanging
+  import Lag.Flexible.ExactBeam;
+  import Lag.Planar.Revolute;
+  Revolute pin;
+  ExactBeam arm(L = 0.8 m, A = 60 mm^2, I = 45 mm^4, E = 70 GPa, density = 2700 kg/m3);
+  gravity = -g_n*world.y;
+  connect(world, pin, arm);
+end Hanging;
+""")
+    q = dict(zip((c.name for c in model._compilation.flat.coordinates), model.trim().point.q, strict=True))
+    assert q["pin.q"] == pytest.approx(-np.pi / 2, abs=1e-9)
+    assert q["arm.x[8]"] - 0.8 == pytest.approx(2700 * 9.80665 * 0.8**2 / 2 / 70e9, rel=1e-2)
+
+
 def test_a_path_ends_at_the_root_and_a_false_one_is_far() -> None:
     def equations(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return np.array([x[0] ** 3 - 8.0, 1e-9 * (x[1] - 1.0)]), np.array([[3 * x[0] ** 2, 0.0], [0.0, 1e-9]])

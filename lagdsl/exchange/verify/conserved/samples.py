@@ -64,11 +64,12 @@ def samples(
     states = _states(compilation, count, p)
     if states is None:
         return None
-    solved = states | _solution(program, states)
+    motion, inertia = _solution(program, states)
+    solved = states | motion
     graph, nodes = equations.graph, [each.value for each in found]
     own = _natural(program, states)
     at, natural = with_size(graph, nodes, states, own)
-    changes, sizes = with_size(graph, [each.rate for each in found], solved, own)
+    changes, sizes = with_size(graph, [each.rate for each in found], solved, own, inertia)
     of = [np.arange(count)]
     for after, which in _after_impacts(equations, program, states):
         now = at[which]
@@ -104,8 +105,8 @@ def _states(compilation: Compilation, count: int, p: Floats | None) -> Arrays | 
     return None
 
 
-def _solution(program: Program, states: Arrays) -> Arrays:
-    """Accelerations and multipliers of each state."""
+def _solution(program: Program, states: Arrays) -> tuple[Arrays, Floats]:
+    """Accelerations and multipliers of each state, and the inertia (states, nq) of each coordinate."""
     mass, force, rows, gamma = values(written_out(program), "dynamics", states)
     qdd, lam = np.zeros(force.shape), np.zeros(gamma.shape)
     for i in range(len(force)):
@@ -113,7 +114,7 @@ def _solution(program: Program, states: Arrays) -> Arrays:
         solution = np.linalg.solve(saddle_point(mass[i], rows[i][kept]), np.concatenate([force[i], gamma[i][kept]]))
         qdd[i] = solution[: len(force[i])]
         lam[i, kept] = solution[len(force[i]) :]
-    return {Group.QDD: qdd, Group.LAMBDA: lam}
+    return {Group.QDD: qdd, Group.LAMBDA: lam}, np.abs(np.diagonal(mass, axis1=1, axis2=2))
 
 
 def _after_impacts(equations: Equations, program: Program, states: Arrays) -> list[tuple[Arrays, NDArray[np.intp]]]:
