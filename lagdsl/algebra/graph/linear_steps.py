@@ -49,24 +49,23 @@ def linear_steps(
 def _terms(graph: Graph, node: int, vector: Group) -> Iterator[_Term]:
     """The terms that a step is the sum of; the second node of one moves where the step is not linear."""
     op, operands, one = graph.op[node], graph.operands[node], graph.one
-    if op is Op.MULTIPLY:
-        first, second = operands
-        yield (first, second, _itself) if graph.depends(first, vector) else (second, first, _itself)
-        return
-    match op:
-        case Op.ADD:
-            found: tuple[_Term, ...] = tuple((operand, one, _itself) for operand in operands)
-        case Op.SUBTRACT:
-            found = (operands[0], one, _itself), (operands[1], one, _minus)
-        case Op.NEGATE:
-            found = ((operands[0], one, _minus),)
-        case Op.DIVIDE:
-            found = ((operands[0], operands[1], _inverse),)
-        case Op.SELECT:
-            condition, value, otherwise = operands
-            found = (value, condition, _holds), (otherwise, condition, _fails)
-        case _:
-            found = ((operands[0], node, _itself),)
+    found: tuple[_Term, ...]
+    if op is Op.ADD:
+        found = tuple((operand, one, _itself) for operand in operands)
+    elif op is Op.SUBTRACT:
+        found = (operands[0], one, _itself), (operands[1], one, _minus)
+    elif op is Op.NEGATE:
+        found = ((operands[0], one, _minus),)
+    elif op is Op.MULTIPLY:
+        first, second = operands if graph.depends(operands[0], vector) else operands[::-1]
+        found = ((first, second, _itself),)
+    elif op is Op.DIVIDE:
+        found = ((operands[0], operands[1], _inverse),)
+    elif op is Op.SELECT:
+        condition, value, otherwise = operands
+        found = (value, condition, _holds), (otherwise, condition, _fails)
+    else:
+        found = ((operands[0], node, _itself),)
     yield from (term for term in found if graph.depends(term[0], vector) or graph.depends(term[1], vector))
 
 
