@@ -9,7 +9,9 @@ import numpy as np
 
 from lagdsl.algebra.graph.evaluate import evaluate
 from lagdsl.algebra.graph.graph import ZERO
+from lagdsl.algebra.graph.linear_steps import linear_steps
 from lagdsl.algebra.graph.occurrence import occurrences
+from lagdsl.algebra.graph.operation import Group
 from lagdsl.algebra.graph.tape import Tape
 from lagdsl.derivation.program.program import Block, Layout, Program
 from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
@@ -41,6 +43,13 @@ class ProgramFunctions:
         """True if M times a vector is, where M is not written out."""
         vector = np.ones(len(self.layout.coordinates))
         return bool(np.all(np.isfinite(self.evaluate("momentum_tangent", *state, vector)[0])))
+
+    def momentum_steps(self, *state: Floats | float) -> SparseMatrix | None:
+        """M times a vector by its steps, where M is not written out (see `linear_steps`)."""
+        definition = self.program.function("momentum_tangent")
+        (momentum,) = definition.results
+        *groups, vector = definition.arguments
+        return linear_steps(self.program.graph, momentum.elements, vector, momentum.size, _symbols(groups, state))
 
     def restricted(self, rows: list[int]) -> ProgramFunctions:
         """The same with all other rows of the position constraints, and of J there, zero."""
@@ -87,13 +96,7 @@ class ProgramFunctions:
         if tape is None:
             tape = Tape(self.program.graph, [node for block in results for node in block.nodes])
             self._tapes[name] = tape
-        groups = self.program.function(name.partition(" ")[0]).arguments
-        return tape(
-            {
-                group: argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
-                for group, argument in zip(groups, arguments, strict=True)
-            }
-        )
+        return tape(_symbols(self.program.function(name.partition(" ")[0]).arguments, arguments))
 
     def _results(self, name: str, results: Sequence[Block], *arguments: Floats | float) -> tuple[Floats, ...]:
         """The same with all elements of the blocks."""
@@ -134,6 +137,14 @@ class ProgramFunctions:
         count = max(len(x) if isinstance(x, np.ndarray) and x.ndim > 1 else 1 for x in arguments)
         values = evaluate(self.program.graph, elements, symbols)
         return np.array([np.broadcast_to(value, count) for value in values]).reshape(len(elements), count).T
+
+
+def _symbols(groups: Sequence[Group], arguments: Sequence[Floats | float]) -> dict[Group, list[float] | float]:
+    """Arguments as tapes take them."""
+    return {
+        group: argument.tolist() if isinstance(argument, np.ndarray) else float(argument)
+        for group, argument in zip(groups, arguments, strict=True)
+    }
 
 
 def _matrix(block: Block, values: Floats) -> SparseMatrix:

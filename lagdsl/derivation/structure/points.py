@@ -12,6 +12,7 @@ from lagdsl.derivation.program.program import Layout, Program
 from lagdsl.derivation.structure.functions import ProgramFunctions
 from lagdsl.derivation.structure.moments import Moment, other_moments
 from lagdsl.derivation.structure.names import balance_rows, located
+from lagdsl.derivation.structure.regular_mass import shows_regular_mass
 from lagdsl.derivation.structure.row_sizes import Look, row_sizes
 from lagdsl.foundation.numerics.connected_blocks import Indices, Partition, connected_blocks, entries
 from lagdsl.foundation.numerics.levenberg_marquardt import Minimizer, descend
@@ -27,8 +28,6 @@ SEED = 20011
 # constraint that only touches (two circles that meet in one point) is approached linearly.
 HOLDS = 1e-7
 _EXACT = 1e-10
-# Subtraction must leave this part of every pivot to show that M is positive definite.
-_SAFE_PIVOT = 1e-6
 # So many points that the median of a row's lengths hardly depends on which they are.
 _SIZED_AT = 8
 
@@ -159,18 +158,16 @@ class Geometry:
         own, state = self.functions, self._state(q, qd, self.w)
         return own.mass(*state) if isinstance(own, ProgramFunctions) else sparse(own.evaluate("mass_matrix", *state)[0])
 
-    def mass_in_doubt(self, q: Floats, qd: Floats, *, regular: bool = False) -> SparseMatrix | None:
-        """M, or None where it need not be formed: it is written by columns, and `regular` at another general point; or
-        the equations are solved without it, and no pivot lost its digits."""
+    def mass_in_doubt(self, q: Floats, qd: Floats, rows: SparseMatrix, *, regular: bool = False) -> SparseMatrix | None:
+        """M, or None where it is not written out and need not be formed: it is `regular` at another general point, or
+        elimination shows that it is, with `rows`, scaled ones of J."""
         own, state = self.functions, self._state(q, qd, self.w)
-        if isinstance(own, ProgramFunctions) and own.by_columns:
-            if regular and own.momentum_is_finite(*state):
-                return None
-            if own.program.has("elimination"):
-                found = own.evaluate("elimination", *state)
-                if np.all(np.isfinite(found[0])) and found[-1] > _SAFE_PIVOT:
-                    return None
-        return self.mass(q, qd)
+        if not isinstance(own, ProgramFunctions) or not own.by_columns:
+            return self.mass(q, qd)
+        if regular and own.momentum_is_finite(*state):
+            return None
+        unscaled = rows.with_values(rows.values / self.sizes[rows.columns])
+        return None if shows_regular_mass(own, state, unscaled) else own.mass(*state)
 
     def project(self, q: Floats, rows: list[int]) -> Minimizer:
         """The nearest point, in natural sizes, at which the given rows hold; residuals relative to the rows'
@@ -351,7 +348,7 @@ def probes(
 def _is_regular(space: Geometry, mass: SparseMatrix | None) -> bool:
     """True if that is asked of no further M."""
     by_columns = isinstance(space.functions, ProgramFunctions) and space.functions.by_columns
-    return mass is not None and by_columns and is_positive_definite(mass)
+    return by_columns and (mass is None or is_positive_definite(mass))
 
 
 def _sharing(probe: Probe, other: Probe) -> Probe:
@@ -393,7 +390,7 @@ def _probe(space: Geometry, start: Floats, rates: Floats, rows: list[int], regul
     if result.size > HOLDS:
         return None
     scaled = space.scaled(space.velocity(result.point, space.qd)[1])
-    mass = space.mass_in_doubt(result.point, rates, regular=regular)
+    mass = space.mass_in_doubt(result.point, rates, scaled, regular=regular)
     if not scaled.is_finite() or (mass is not None and not mass.is_finite()):
         return None
     return Probe(result.point, scaled, mass, result.size)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from lagdsl.foundation.numerics.levenberg_marquardt import descend
 from lagdsl.foundation.numerics.rank import independent_rows, minimum_norm, minimum_norms, null_space, rank
 from lagdsl.foundation.numerics.sparse_matrix import sparse
-from lagdsl.foundation.numerics.sparse_pivots import independent
+from lagdsl.foundation.numerics.sparse_pivots import independent, regular
 
 
 @st.composite
@@ -115,6 +115,25 @@ def test_descend_from_nothing_defined() -> None:
 def test_elimination_tells_no_dependent_rows_for_independent(sample: tuple[np.ndarray, int]) -> None:
     matrix, expected = sample
     assert not independent(sparse(matrix)) or expected == len(matrix)
+
+
+@settings(max_examples=examples(60), deadline=None)
+@given(low_rank(), st.integers(0, 2**31))
+def test_elimination_tells_no_singular_matrix_for_regular(sample: tuple[np.ndarray, int], seed: int) -> None:
+    matrix, expected = sample
+    n = min(matrix.shape)
+    sizes = 10.0 ** np.random.default_rng(seed).uniform(-6.0, 6.0, 2 * n)
+    scaled = sizes[:n, None] * matrix[:n, :n] * sizes[n:]
+    assert not regular(sparse(scaled)) or expected >= n
+
+
+def test_elimination_shows_that_a_chain_is_regular_in_any_units() -> None:
+    n = 200
+    chain = 2.0 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
+    sizes = 10.0 ** np.random.default_rng(7).uniform(-6.0, 6.0, (2, n))
+    assert regular(sparse(sizes[0][:, None] * chain * sizes[1]))
+    chain[[0, -1], [0, -1]] = 1.0  # free at both ends
+    assert not regular(sparse(sizes[0][:, None] * chain * sizes[1]))
 
 
 @pytest.mark.parametrize("n", [40, 400])
