@@ -91,6 +91,6 @@ def test_a_regular_mass_that_vanishes_on_the_constraints_is_told() -> None:
 
 
 def _left(extended: np.ndarray, m: int, n: int) -> np.ndarray:
-    """What is left of m rows at the bottom for n columns without the others."""
+    """The Schur complement of the rest: the last m rows, for the first n columns alone."""
     k = len(extended) - m
     return extended[k:, :n] - extended[k:, n:] @ np.linalg.solve(extended[:k, n:], extended[:k, :n])
