@@ -118,22 +118,22 @@ static double length_by_derivatives(const lag_stepper *s, double h, double first
  */
 static double first_length(lag_stepper *s, double span)
 {
-    const double farthest = fmin(0.1 * span, s->h_most);
     const double d0 = lag_stepper_norm(s, s->x);
     const double d1 = lag_stepper_norm(s, s->f);
     double h = fmin(d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1, fmin(span, s->h_most));
     for (;;) {
+        const double most = fmin(100.0 * h, fmin(span, s->h_most));
+        const double farther = fmin(most, 0.1 * span);
         double d2 = 0.0;
         double d3 = 0.0;
         if (!(h > 0.0) || !probe(s, h, &d2, &d3)) {
             return fmax(1e-3 * h, s->h_least);
         }
-        const double longer = fmax(h, fmin(100.0 * h, farthest));
         const double found = length_by_derivatives(s, h, d1, d2, d3);
-        if (found <= longer || longer <= h) {
-            return fmin(found, longer);
+        if (found <= most || farther <= h) {
+            return fmin(found, most);
         }
-        h = longer;
+        h = farther;
     }
 }
 
