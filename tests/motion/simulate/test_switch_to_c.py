@@ -23,9 +23,9 @@ CHOSEN = chosen(
 
 @pytest.fixture
 def switches(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
-    """The times at which runs go over to C: after two steps, for which the compiler is waited for."""
+    """The times at which runs go over to C: after one step, for which the compiler is waited for."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(stepping, "FIRST_STEPS", 2)
+    monkeypatch.setattr(stepping, "FIRST_STEPS", 1)
     worked, change, times = AutoEngine.worked, Run.change, []
 
     def wait(self: AutoEngine, seconds: float, left: float = 0.0) -> None:
