@@ -171,12 +171,10 @@
 
 #define TRIES initial_ranks_TRIES
 #define find_parts initial_ranks_find_parts
-#define gather initial_ranks_gather
 #define place initial_ranks_place
 #include "lag/initial/initial_ranks.c"
 #undef TRIES
 #undef find_parts
-#undef gather
 #undef place
 
 #include "lag/initial/initial_rates.c"

@@ -68,6 +68,23 @@ static size_t find_rows(const lag_initialization *b, double *there)
     return zero > 0 && redundant > 0 ? model->nc + 1 : count;
 }
 
+void lag_initialization_gather(const lag_initialization *b, const lag_parts *parts, size_t which, const double *row, double *block)
+{
+    size_t first = 0;
+    size_t begin = 0;
+    const size_t rows = lag_parts_rows(parts, which, &first);
+    const size_t columns = lag_parts_columns(parts, which, &begin);
+    for (size_t i = 0; i < rows; ++i) {
+        const size_t place = (size_t)parts->row[first + i];
+        const size_t its = row != NULL ? (size_t)row[place] : place;
+        const double *line = b->jacobian + its * b->motion->model->nq;
+        for (size_t k = 0; k < columns; ++k) {
+            const size_t j = (size_t)parts->column[begin + k];
+            block[i * columns + k] = line[j] * b->sizes[j] / b->row_sizes[its];
+        }
+    }
+}
+
 /* Independent rows of J as it was evaluated last, in natural sizes, each part as if it were alone. */
 static size_t count_by_parts(const lag_initialization *b, double *memory)
 {
@@ -90,12 +107,8 @@ static size_t count_by_parts(const lag_initialization *b, double *memory)
         size_t column = 0;
         const size_t rows = lag_parts_rows(&parts, which, &row);
         const size_t columns = lag_parts_columns(&parts, which, &column);
-        for (size_t k = 0; k < rows * columns; ++k) {
-            const size_t i = (size_t)parts.row[row + k / columns];
-            const size_t j = (size_t)parts.column[column + k % columns];
-            block[k] = b->jacobian[i * n + j] * b->sizes[j] / b->row_sizes[i];
-        }
         if (rows > 0 && columns > 0) {
+            lag_initialization_gather(b, &parts, which, NULL, block);
             const lag_svd svd = lag_svd_of(rows, columns, block, memory);
             rank += lag_svd_rank(&svd, lag_initialization_least(&svd, LAG_RANK));
         }

@@ -43,25 +43,6 @@ size_t lag_initialization_rank_memory(const lag_model *model)
     return lag_levenberg_marquardt_memory(m, n) + 2 * lag_parts_memory(m, n) + 3 * n + m + 3 * m * n + n * n + 2 * n + 2 * (m + n) + lag_svd_memory(m, n);
 }
 
-/* The block of a part of J as it was evaluated last, in natural sizes; `row`: the rows that are told apart, or null: all. */
-static void gather(const walk *w, const lag_parts *parts, size_t which, const double *row, double *block)
-{
-    const lag_initialization *b = w->b;
-    size_t first = 0;
-    size_t begin = 0;
-    const size_t rows = lag_parts_rows(parts, which, &first);
-    const size_t columns = lag_parts_columns(parts, which, &begin);
-    for (size_t i = 0; i < rows; ++i) {
-        const size_t place = (size_t)parts->row[first + i];
-        const size_t its = row != NULL ? (size_t)row[place] : place;
-        const double *line = b->jacobian + its * b->motion->model->nq;
-        for (size_t k = 0; k < columns; ++k) {
-            const size_t j = (size_t)parts->column[begin + k];
-            block[i * columns + k] = line[j] * b->sizes[j] / b->row_sizes[its];
-        }
-    }
-}
-
 static void at_point(void *context, const lag_parts *parts, const double *y, double *residual, double *jacobian)
 {
     walk *w = context;
@@ -75,7 +56,7 @@ static void at_point(void *context, const lag_parts *parts, const double *y, dou
         residual[i] = b->phi[row] / b->row_sizes[row];
     }
     for (size_t which = 0; which < parts->count; ++which) {
-        gather(w, parts, which, b->row, lag_parts_block(parts, which, jacobian));
+        lag_initialization_gather(b, parts, which, b->row, lag_parts_block(parts, which, jacobian));
     }
 }
 
@@ -227,7 +208,7 @@ static int find_ranks(walk *w, double residual)
         size_t first = 0;
         const size_t rows = lag_parts_rows(&w->all, which, &first);
         const size_t columns = lag_parts_columns(&w->all, which, &first);
-        gather(w, &w->all, which, NULL, w->block);
+        lag_initialization_gather(w->b, &w->all, which, NULL, w->block);
         finite = lag_finite(rows * columns, w->block);
         if (finite && rows > 0 && columns > 0) {
             const lag_svd svd = lag_svd_of(rows, columns, w->block, w->svd);

@@ -99,6 +99,9 @@ int lag_initialization_is_regular(lag_initialization *b, double *memory);
 /* The part of the largest singular value of a part's rows that is round-off, where it is `least` of rows with content. */
 double lag_initialization_least(const lag_svd *svd, double least);
 
+/* The block of a part of J as it was evaluated last, in natural sizes; `row`: the rows that are told apart, or null: all. */
+void lag_initialization_gather(const lag_initialization *b, const lag_parts *parts, size_t which, const double *row, double *block);
+
 /* Independent rows of J as it was evaluated last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
 size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
 size_t lag_initialization_look_memory(const lag_model *model);
