@@ -222,7 +222,7 @@ class Motion:
 def change_notes(changes: Sequence[tuple[float, bool]]) -> tuple[str, ...]:
     """Changes of the method, where the runtime chooses it."""
     names = {False: "dop853", True: "radau"}
-    why = {False: "accuracy limits the steps again", True: "stability, not accuracy, limited the steps"}
+    why = {False: "explicit steps take less work again", True: "implicit steps take less work"}
     return tuple(f"changed from {names[not to]} to {names[to]} at t = {time_text(t)} s: {why[to]}" for t, to in changes)
 
 

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "lag/methods/dop853.h"
 #include "lag/methods/radau.h"
 
 /*
@@ -10,11 +11,11 @@
  * longer, below it the explicit method could do steps as long as those of the implicit one.
  */
 static const double EASY = 2.0;
-enum { SIGNS = 15, PAUSE = 100, EVERY = 10, BACK = 2, ITERATIONS = 24 };
+enum { SIGNS = 15, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
 enum { PRODUCTS = ITERATIONS + 2 };
-/* Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run. */
-enum { PARTS = 32 };
+/* Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run, as far as it is foreseen. */
+enum { PARTS = 64 };
 
 /* Numbers of the matrix. */
 static size_t matrix_numbers(size_t size)
@@ -29,7 +30,7 @@ size_t lag_stiffness_memory(size_t size)
 
 void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory)
 {
-    *stiffness = (lag_stiffness){.needed = BACK, .matrix = memory};
+    *stiffness = (lag_stiffness){.needed = BACK, .question = SIGNS, .matrix = memory};
     stiffness->v = memory + matrix_numbers(size);
     stiffness->f = stiffness->v + 3 * size;
     stiffness->point = stiffness->f + size;
@@ -164,6 +165,20 @@ static void count_explicit(lag_stiffness *stiffness, const lag_stepper *s)
     mark(stiffness, s);
 }
 
+/* The last visit of the implicit method was in vain as far as the explicit one, by what it does behind it, would have taken less work. */
+static void settle_visit(lag_stiffness *stiffness)
+{
+    stiffness->lost += fmax(0.0, stiffness->visit - stiffness->visited / stiffness->progress);
+    stiffness->visit = stiffness->visited = 0.0;
+}
+
+/* The next question without signs: behind twice the steps, or when the work is so much that one more trial in vain is a small part of it. */
+static void ask_later(lag_stiffness *stiffness, const lag_stepper *s, double probe)
+{
+    const double work = PARTS * (stiffness->lost + probe) - stiffness->spent;
+    stiffness->question = s->counts.steps + (size_t)fmax(SIGNS, fmin((double)s->counts.steps, work / LAG_DOP853_END));
+}
+
 /*
  * True if the implicit method is to go on: one step of it reaches so far that it takes less work to `stop`, its begin included, than the
  * explicit one does. As nobody knows what comes behind `stop`, at least as much is expected to come as there was.
@@ -172,36 +187,41 @@ static int is_worth_it(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
     const double ahead = fmax((stop - s->t) / stiffness->progress, stiffness->spent);
     const lag_radau_plan plan = lag_radau_expect(s);
-    if (stiffness->lost + plan.probe > (stiffness->spent + ahead) / PARTS || plan.begin >= ahead) {
-        return 0;
-    }
     const double h = stiffness->progress * plan.step * ahead / (ahead - plan.begin);
-    if (h > fmin(s->h_most, stop - s->t)) {
-        return 0;
-    }
-    const int reaches = lag_radau_reaches(s, h, stiffness->v);
-    stiffness->visit = effort_since(stiffness, s);
-    stiffness->looks = 0.0;
-    if (reaches) {
-        s->h = h;
-    } else {
-        stiffness->lost += stiffness->visit;
+    const int affordable = stiffness->lost + plan.probe <= (stiffness->spent + ahead) / PARTS && plan.begin < ahead;
+    int reaches = 0;
+    if (affordable && h <= fmin(s->h_most, stop - s->t)) {
+        reaches = lag_radau_reaches(s, h, stiffness->v);
+        stiffness->visit = effort_since(stiffness, s);
         (void)lag_stepper_rates(s, s->t, s->x, stiffness->v); /* the system is left at the present state */
     }
+    if (reaches) {
+        stiffness->looks = 0.0;
+        s->h = h;
+    } else {
+        settle_visit(stiffness);
+    }
+    ask_later(stiffness, s, plan.probe);
     return reaches;
+}
+
+/* True if the last step of the explicit method was one of so many near the border. */
+static int is_limited(lag_stiffness *stiffness, lag_stepper *s)
+{
+    if (s->last.urge <= EASY) {
+        stiffness->signs -= stiffness->signs > 0;
+        return 0;
+    }
+    if (stiffness->signs == 0) {
+        count_explicit(stiffness, s);
+    }
+    return ++stiffness->signs >= SIGNS;
 }
 
 /* After a step of the explicit method. */
 static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
-    if (s->last.urge <= EASY) {
-        stiffness->signs -= stiffness->signs > 0;
-        return s->method;
-    }
-    if (stiffness->signs == 0) {
-        count_explicit(stiffness, s);
-    }
-    if (++stiffness->signs < SIGNS) {
+    if (!is_limited(stiffness, s) && s->counts.steps < stiffness->question) {
         return s->method;
     }
     const double since = stiffness->t;
@@ -209,8 +229,9 @@ static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s
     count_explicit(stiffness, s);
     stiffness->progress = (s->t - since) / (stiffness->spent - before);
     stiffness->signs = 0;
+    settle_visit(stiffness);
     const int changes = is_worth_it(stiffness, s, stop);
-    stiffness->wait = changes ? EVERY : PAUSE;
+    stiffness->wait = changes ? EVERY : 0;
     mark(stiffness, s);
     return changes ? &lag_radau : s->method;
 }
@@ -231,6 +252,7 @@ static const lag_method *after_implicit(lag_stiffness *stiffness, lag_stepper *s
     const double effort = effort_since(stiffness, s);
     const int slow = s->t - stiffness->t < stiffness->progress * effort;
     stiffness->visit += effort;
+    stiffness->visited += s->t - stiffness->t;
     stiffness->wait = EVERY;
     const int easy = is_easy(stiffness, s);
     mark(stiffness, s);
@@ -238,10 +260,10 @@ static const lag_method *after_implicit(lag_stiffness *stiffness, lag_stepper *s
     if (stiffness->signs < stiffness->needed) {
         return s->method;
     }
-    stiffness->lost += slow ? stiffness->visit : 0.0;
     stiffness->needed *= slow ? 1 : 2;
     stiffness->signs = 0;
     stiffness->wait = 0;
+    stiffness->question = s->counts.steps + SIGNS;
     return &lag_dop853;
 }
 
@@ -256,5 +278,10 @@ const lag_method *lag_stiffness_method(lag_stiffness *stiffness, lag_stepper *s,
 
 double lag_stiffness_border(const lag_stiffness *stiffness)
 {
-    return stiffness->wait > 0 || stiffness->signs > 0 ? -1.0 : EASY;
+    return stiffness->signs > 0 ? -1.0 : EASY;
+}
+
+size_t lag_stiffness_steps(const lag_stiffness *stiffness, const lag_stepper *s)
+{
+    return stiffness->question > s->counts.steps ? stiffness->question - s->counts.steps : 1;
 }

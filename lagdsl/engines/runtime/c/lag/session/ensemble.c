@@ -123,8 +123,13 @@ static void open_lane(crowd *all, size_t k)
         lag_attempts_open(attempts, place, &run->accuracy);
         lag_motions_open(all->motions + k / all->each, place, conditions);
         attempts->step.row[place] = lag_run_next_row(run);
-        attempts->step.border[place] = run->options.method == NULL ? lag_stiffness_border(&run->methods.stiffness) : (double)INFINITY;
+        attempts->step.border[place] = (double)INFINITY;
         attempts->step.left[place] = (double)own->left;
+        if (run->options.method == NULL) {
+            const lag_stiffness *stiffness = &run->methods.stiffness;
+            attempts->step.border[place] = lag_stiffness_border(stiffness);
+            attempts->step.left[place] = fmin((double)own->left, (double)lag_stiffness_steps(stiffness, &run->stepper));
+        }
     }
 }
 

@@ -121,11 +121,13 @@ static void record_rest(lag_run *run, lag_record *record)
     RECORD(run->methods.stiffness.signs);
     RECORD(run->methods.stiffness.wait);
     RECORD(run->methods.stiffness.needed);
+    RECORD(run->methods.stiffness.question);
     RECORD(run->methods.stiffness.t);
     RECORD(run->methods.stiffness.before);
     RECORD(run->methods.stiffness.progress);
     RECORD(run->methods.stiffness.spent);
     RECORD(run->methods.stiffness.visit);
+    RECORD(run->methods.stiffness.visited);
     RECORD(run->methods.stiffness.looks);
     RECORD(run->methods.stiffness.lost);
     RECORD(run->guards.corners.reach);
