@@ -104,3 +104,28 @@ def test_directions_are_not_made_for_the_few_of_a_band(monkeypatch: pytest.Monke
     motion = lagdsl.compile(CHAIN, engine="tape").simulate(stop=0.01, interval=0.01, solver="radau")
     assert motion.statistics.jacobians > 0
     assert not made
+
+
+FAR = """
+model Far "Masses at stiff springs a kilometer from the origin, which pull a slow one"
+  structural parameter Integer n = 20;
+  coordinate Length x[n](start = {1 km + i*(1 m) for i in 1:n});
+  coordinate Length y(start = 1 m);
+  gravity = 0;
+  kinetic 1/2*(1 kg)*der(y)^2;
+  potential 1/2*(1 N/m)*(y - (x[n] - 1 km - n*(1 m)))^2;
+  for i in 1:n loop
+    kinetic 1/2*(1 g)*der(x[i])^2;
+    potential 1/2*(1e6 N/m)*(x[i] - (if i == 1 then 1 km else x[max(i - 1, 1)]) - 1 m)^2;
+  end for;
+end Far;
+"""
+
+
+def test_auto_leaves_explicit_steps_that_round_off_makes_short() -> None:
+    """A position is known to 1e-13 m, a force to 1e-7 N: accelerations have a noise of 1e-4 m/s2."""
+    model = lagdsl.compile(FAR, engine="tape")
+    explicit = model.simulate(stop=0.02, interval=0.02, solver="dop853", tolerance=1e-6)
+    motion = model.simulate(stop=0.02, interval=0.02, tolerance=1e-6)
+    assert motion.statistics.evaluations < 0.2 * explicit.statistics.evaluations
+    assert motion["y"][-1] == pytest.approx(np.cos(0.02), abs=1e-7)  # the springs give way by 2e-5 m

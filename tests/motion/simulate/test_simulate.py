@@ -316,7 +316,7 @@ class Calmed(Stiff):
 
 
 def test_auto_returns_where_implicit_steps_are_not_longer() -> None:
-    motion = run(Calmed(flat_model([length("x", 1.0, -1.0)])), stop=20.0, tolerance=1e-6)
+    motion = run(Calmed(flat_model([length("x", 1.0, -1.0)])), stop=20.0, tolerance=1e-8)  # at 1e-6 they are
     changes = [note for note in motion.statistics.notes if note.startswith("changed")]  # the others speak of the rows
     assert [note.split(" at ")[0] for note in changes] == [
         "changed from dop853 to radau",

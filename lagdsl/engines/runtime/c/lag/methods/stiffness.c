@@ -176,7 +176,7 @@ static void settle_visit(lag_stiffness *stiffness)
 static void ask_later(lag_stiffness *stiffness, const lag_stepper *s, double probe)
 {
     const double work = PARTS * (stiffness->lost + probe) - stiffness->spent;
-    stiffness->question = s->counts.steps + (size_t)fmax(SIGNS, fmin((double)s->counts.steps, work / LAG_DOP853_END));
+    stiffness->question = s->counts.steps + (size_t)fmax(SIGNS, fmin((double)s->counts.steps, work / LAG_DOP853_STAGES));
 }
 
 /*
@@ -227,6 +227,10 @@ static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s
     const double since = stiffness->t;
     const double before = stiffness->spent;
     count_explicit(stiffness, s);
+    if (stiffness->signs == 0 && before == 0.0) { /* the first steps, which grow, tell no progress */
+        ask_later(stiffness, s, 0.0);
+        return s->method;
+    }
     stiffness->progress = (s->t - since) / (stiffness->spent - before);
     stiffness->signs = 0;
     settle_visit(stiffness);
