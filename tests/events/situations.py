@@ -16,8 +16,8 @@ Told = tuple[float, str, str]
 @dataclass(frozen=True)
 class Situation:
     """`events` are all that happen; those of kinds in `besides` are not compared. `near` bounds errors of times and
-    ends at every tolerance, `fixed` those with fixed steps, between which a cubic interpolates;
-    `adaptive_only`: fixed steps do not find the instant."""
+    ends at every tolerance, `coarse` those at the tolerance 1e-3 where a limit of the page is met, `fixed` those with
+    fixed steps, between which a cubic interpolates; `adaptive_only`: fixed steps do not find the instant."""
 
     name: str
     decides: str
@@ -28,6 +28,7 @@ class Situation:
     clauses: str = ""
     besides: tuple[str, ...] = ()
     near: float = 1e-9
+    coarse: float | None = None
     fixed: float | None = None
     adaptive_only: bool = False
 
@@ -261,6 +262,7 @@ CHOSEN = [
         ((0.5, "pad", "sticks"),),
         {"x": 0.25, "y": 0.75, "der(x)": 0.0, "der(y)": 1.0},
         near=2e-6,
+        coarse=1e-4,
         adaptive_only=True,
     ),
     Situation(

@@ -41,7 +41,7 @@ def test_what_happens(name: str, run: str) -> None:
     situation = BY_NAME[name]
     if situation.adaptive_only and run.startswith("rk4"):
         run = "default"
-    near = situation.fixed or situation.near if run.startswith("rk4") else situation.near
+    near = {"rk4": situation.fixed, "coarse": situation.coarse}.get(run.removesuffix("_odd")) or situation.near
     motion = compiled(name).simulate(stop=situation.stop, **RUNS[run])
     found = happened(motion, situation)
     expected = sorted((what, kind, time) for time, what, kind in situation.events)
