@@ -45,8 +45,9 @@ _SINGLE = frozenset(_ORDER)
 _CROWD = 256
 # Functions of several states.
 _STATES = "states"
-# Seconds that compiling takes: always, and for each byte of a tape (GCC 12, a core of 2022).
-_ALWAYS, _PER_BYTE = 0.2, 2e-5
+# Seconds that writing and compiling C takes: always, and for each byte of a tape (GCC 12, a core of 2022; ten models of
+# 4 to 400 kB take 0.7 to 1.3 times as much, one whose loops stay loops in C less than half).
+_ALWAYS, _PER_BYTE = 0.1, 8e-6
 # The part of the time that C saves.
 _SAVED = 2 / 3
 # States of one call of C.
