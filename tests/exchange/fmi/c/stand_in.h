@@ -152,7 +152,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     return LAG_OK;
 }
 
-lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values)
+lag_status lag_instance_set_input(lag_instance *instance, size_t variable, int order, const double *values)
 {
     (void)variable;
     (void)values;
@@ -252,16 +252,9 @@ static void stand_in_move(lag_instance *instance, double t)
     held->t = t;
 }
 
-int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable)
+lag_status lag_instance_judge(lag_instance *instance, lag_status status)
 {
-    (void)instance;
-    (void)variable;
-    return 0;
-}
-
-lag_status lag_instance_give_up(lag_instance *instance)
-{
-    return stand_in_fail(instance, LAG_TOO_LONG);
+    return stand_in_fail(instance, status);
 }
 
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
@@ -334,16 +327,10 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
 }
 
 /* There are no clocks: the shells refuse all others before they ask. */
-lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double t, double *period, double *tick)
 {
     (void)which;
-    *period = *shift = 0.0;
-    return stand_in_fail(instance, LAG_MISSING);
-}
-
-lag_status lag_instance_tick(lag_instance *instance, size_t which)
-{
-    (void)which;
+    *period = *tick = t;
     return stand_in_fail(instance, LAG_MISSING);
 }
 

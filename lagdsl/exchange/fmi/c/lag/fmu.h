@@ -11,6 +11,7 @@
 typedef enum lag_role {
     LAG_ROLE_TIME,
     LAG_ROLE_PARAMETER,  /* p (np) */
+    LAG_ROLE_FREE,       /* p (np): initialization solves for it, from the value that was set as a guess */
     LAG_ROLE_CONSTANT,   /* `constants` of the FMU: structural parameters and constants of the model */
     LAG_ROLE_STATE,      /* x = (q, qd, z) (2 nq + nz) */
     LAG_ROLE_DEPENDENT,  /* entries of x that follow from states: starts until initialization ends, computed from there on */
@@ -132,7 +133,6 @@ typedef struct lag_fmu {
     const lag_variable *variables; /* (nvariable) */
     lag_constants constants;
     const lag_start *start;      /* where the motion starts with the default parameters */
-    const unsigned char *fixed;  /* (2 nq + nz) 1: the start value holds exactly, it is not only where the search begins */
     const double *nominal;       /* (2 nq + nz) */
     lag_experiment experiment;
     lag_sizes sizes;

@@ -1,4 +1,5 @@
 /* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
+#include "lag/events/clock.h"
 #include "lag/fmi3/fmi3.h"
 #include <math.h>
 

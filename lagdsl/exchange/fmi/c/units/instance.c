@@ -35,10 +35,8 @@
 #include "lag/instance/inputs.c"
 
 #define lay_out instance_lay_out
-#define take instance_take
 #include "lag/instance/instance.c"
 #undef lay_out
-#undef take
 
 #define name_of instance_messages_name_of
 #include "lag/instance/instance_messages.c"
@@ -63,9 +61,7 @@
 #undef FORMAT
 #undef fault
 
-#define take handle_take
 #include "lag/shell/handle.c"
-#undef take
 
 #include "lag/shell/lifecycle.c"
 

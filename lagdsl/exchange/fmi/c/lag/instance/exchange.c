@@ -70,20 +70,19 @@ void lag_instance_states(const lag_instance *instance, double *x)
 lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
 {
     const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
-    gather(instance->fmu, instance->values.xd, xd);
+    gather(instance->fmu, instance->values.of[LAG_ROLE_DERIVATIVE], xd);
     return status;
 }
 
 lag_status lag_instance_completed(lag_instance *instance, int *events)
 {
     const double tolerance = instance->held.tolerance;
-    const double t = instance->held.t;
     lag_status status = lag_instance_evaluate(instance, LAG_ROLE_RESIDUAL);
     *events = fmax(instance->values.residual[0], instance->values.slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
     if (status == LAG_OK) {
         lag_contacts_follow(&instance->run->instants.contacts, instance->x);
-        status = lag_instance_assert(instance, t, instance->x);
-        status = status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;
+        status = lag_instance_assert(instance);
+        status = status == LAG_OK ? lag_run_count_turns(instance->run, instance->held.t, instance->x) : status;
     }
     lag_instance_leave_inputs(instance);
     return lag_instance_judge(instance, status);

@@ -67,10 +67,7 @@ static lag_answer ready(lag_shell *shell, uint32_t reference)
 {
     const lag_variable *variable = &shell->fmu->variables[reference];
     const lag_role role = (lag_role)variable->role;
-    if (lag_instance_is_free(shell->instance, variable)) {
-        return lag_shell_initialized(shell);
-    }
-    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE && role != LAG_ROLE_DEPENDENT) {
+    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE && role != LAG_ROLE_DEPENDENT && role != LAG_ROLE_FREE) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of %s is known from initialization mode on", variable->name);
     }
     return plain(role) ? LAG_ANSWER_OK : lag_shell_initialized(shell);
@@ -174,7 +171,7 @@ static int within(lag_shell *shell, const lag_variable *variable, size_t i, doub
 {
     const lag_fmu *fmu = shell->fmu;
     const int is_input = variable->role == LAG_ROLE_INPUT;
-    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range : NULL;
+    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER || variable->role == LAG_ROLE_FREE ? fmu->parameter_range : NULL;
     const size_t entry = variable->first + i;
     if (!isfinite(value)) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
@@ -272,7 +269,7 @@ lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *ref
         }
     }
     for (size_t i = 0; i < n; ++i) {
-        const lag_status status = lag_instance_set_input_derivative(shell->instance, references[i], orders[i], &values[i]);
+        const lag_status status = lag_instance_set_input(shell->instance, references[i], orders[i], &values[i]);
         if (status != LAG_OK) {
             return lag_shell_refused(shell, status);
         }

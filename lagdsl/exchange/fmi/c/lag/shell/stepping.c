@@ -68,7 +68,7 @@ static lag_status proceed(lag_shell *shell, double end, lag_between *between, la
         }
         until = fmin(until, end);
     }
-    return lag_instance_give_up(shell->instance);
+    return lag_instance_judge(shell->instance, LAG_TOO_LONG);
 }
 
 lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_outcome *outcome)
