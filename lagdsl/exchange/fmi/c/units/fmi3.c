@@ -14,7 +14,7 @@
 #include "lag/fmi3/fmi3_cosimulation.c"
 
 #include "lag/fmi3/fmi3_derivatives.c"
-#undef EVALUABLE
+#undef LAG_SLOPES
 
 #include "lag/fmi3/fmi3_exchange.c"
 
