@@ -204,21 +204,14 @@ void lag_instance_set_states(lag_instance *instance, const double *x)
     memcpy(instance->held.x, x, sizeof instance->held.x);
 }
 
-void lag_instance_states(const lag_instance *instance, double *x)
+lag_status lag_instance_vector(lag_instance *instance, lag_role role, double *values)
 {
-    memcpy(x, instance->held.x, sizeof instance->held.x);
-}
-
-lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
-{
-    xd[0] = instance->held.x[1];
-    return lag_instance_get(instance, V_QDD, &xd[1]);
-}
-
-lag_status lag_instance_indicators(lag_instance *instance, double *g)
-{
-    g[0] = instance->held.x[0] - 0.5;
-    return LAG_OK;
+    const double *x = instance->held.x;
+    values[0] = role == LAG_ROLE_INDICATOR ? x[0] - 0.5 : role == LAG_ROLE_STATE ? x[0] : x[1];
+    if (role == LAG_ROLE_STATE) {
+        values[1] = x[1];
+    }
+    return role == LAG_ROLE_DERIVATIVE ? lag_instance_get(instance, V_QDD, &values[1]) : LAG_OK;
 }
 
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)

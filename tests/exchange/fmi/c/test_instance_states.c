@@ -23,7 +23,7 @@ static void go_on(lag_instance *one, size_t size, int jumps, double *x)
             set(one, OSC_U, 0.01 * k);
         }
         CHECK_OK(one, lag_instance_step(one, 0.007, 0, &told));
-        lag_instance_states(one, x + (size_t)k * size);
+        CHECK_OK(one, lag_instance_vector(one, LAG_ROLE_STATE, x + (size_t)k * size));
     }
 }
 

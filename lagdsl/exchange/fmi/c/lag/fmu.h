@@ -21,7 +21,7 @@ typedef enum lag_role {
     LAG_ROLE_LOCAL,      /* dependent parameters, then definitions: what model->definition gives (nd) */
     LAG_ROLE_DISCRETE,   /* w (nw) */
     LAG_ROLE_MULTIPLIER, /* lam (nc) */
-    LAG_ROLE_INDICATOR,  /* event indicators: see lag_instance_indicators() */
+    LAG_ROLE_INDICATOR,  /* event indicators: instance/events.c tells what they are */
     LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
     LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
     LAG_ROLE_OPTION,     /* see lag_option */

@@ -28,9 +28,7 @@
 
 #include "lag/instance/events.c"
 
-#define gather exchange_gather
 #include "lag/instance/exchange.c"
-#undef gather
 
 #include "lag/instance/inputs.c"
 
@@ -42,9 +40,7 @@
 #include "lag/instance/instance_messages.c"
 #undef name_of
 
-#define gather instance_start_gather
 #include "lag/instance/instance_start.c"
-#undef gather
 
 #include "lag/instance/variables.c"
 

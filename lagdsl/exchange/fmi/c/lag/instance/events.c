@@ -91,13 +91,6 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
     return status;
 }
 
-lag_status lag_instance_indicators(lag_instance *instance, double *g)
-{
-    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_INDICATOR);
-    memcpy(g, instance->values.of[LAG_ROLE_INDICATOR], instance->fmu->indicators.count * sizeof(double));
-    return status;
-}
-
 /* An event has ended at the present state: what is within its dead band now, or behind zero, is no event until it goes further. */
 static lag_status disarm(lag_instance *instance)
 {

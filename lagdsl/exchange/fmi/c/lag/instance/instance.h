@@ -72,9 +72,8 @@ lag_status lag_instance_terminate(lag_instance *instance);
 
 void lag_instance_set_time(lag_instance *instance, double t);
 void lag_instance_set_states(lag_instance *instance, const double *x);
-void lag_instance_states(const lag_instance *instance, double *x);
-lag_status lag_instance_derivatives(lag_instance *instance, double *xd);
-lag_status lag_instance_indicators(lag_instance *instance, double *g);
+/* The states, their derivatives, or all event indicators. */
+lag_status lag_instance_vector(lag_instance *instance, lag_role role, double *values);
 /* Event mode: what has changed since the last event is found anew and carried out, with what follows from it. */
 lag_status lag_instance_update(lag_instance *instance, lag_update *told);
 /* After an accepted step of the importer: *events 1: the constraints are off by more than the tolerance. */

@@ -185,12 +185,10 @@ lag_answer lag_shell_terminate(lag_shell *shell);
 
 lag_answer lag_shell_set_time(lag_shell *shell, double time);
 lag_answer lag_shell_set_states(lag_shell *shell, const double *x, size_t n);
-lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n);
-lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n);
-lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n);
+/* The states, their derivatives, or all event indicators. */
+lag_answer lag_shell_get_vector(lag_shell *shell, lag_role role, double *values, size_t n);
 lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n);
 lag_answer lag_shell_completed(lag_shell *shell, int *events);
-size_t lag_shell_order(const lag_shell *shell);
 
 /* ---- stepping.c ---- */
 
