@@ -14,7 +14,7 @@
 #include "lag/fmi3/fmi3_cosimulation.c"
 
 #include "lag/fmi3/fmi3_derivatives.c"
-#undef LAG_SLOPES
+#undef LAG_DERIVATIVES_BY
 
 #include "lag/fmi3/fmi3_exchange.c"
 

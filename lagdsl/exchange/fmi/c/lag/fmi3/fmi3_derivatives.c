@@ -1,18 +1,18 @@
 /* FMI 3.0: derivatives, and what depends on what. */
 #include "lag/fmi3/fmi3.h"
 
-#define LAG_SLOPES(NAME, ADJOINT)                                                                                              \
-    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,                        \
-        const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],  \
-        size_t nSensitivity)                                                                                                   \
-    {                                                                                                                          \
-        LAG_ENTER(#NAME, LAG_MODES_KNOWN)                                                                                      \
-        return (fmi3Status)lag_shell_slopes(                                                                                   \
-            shell, ADJOINT, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);                     \
+#define LAG_DERIVATIVES_BY(NAME, ADJOINT)                                                                                   \
+    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,                     \
+        const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], \
+        size_t nSensitivity)                                                                                                \
+    {                                                                                                                       \
+        LAG_ENTER(#NAME, LAG_MODES_KNOWN)                                                                                   \
+        return (fmi3Status)lag_shell_slopes(                                                                                \
+            shell, ADJOINT, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);                  \
     }
 
-LAG_SLOPES(GetDirectionalDerivative, 0)
-LAG_SLOPES(GetAdjointDerivative, 1)
+LAG_DERIVATIVES_BY(GetDirectionalDerivative, 0)
+LAG_DERIVATIVES_BY(GetAdjointDerivative, 1)
 
 /* The dependencies of a variable; null, and told why, where there is no such variable or nothing is known. */
 static const lag_dependency *dependencies_of(lag_shell *shell, fmi3ValueReference reference, size_t *count)
