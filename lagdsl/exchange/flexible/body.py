@@ -107,6 +107,28 @@ def central(about: Moments) -> Moments:
     )
 
 
+def body_of(
+    about: Moments, mass: Floats, stiffness: Floats, damping: Floats, stations: tuple[Station, ...], wire: Wire | None
+) -> Body:
+    """The body of integrals about its mass center and of the matrices [n, n] of its modes."""
+    return Body(
+        mass=about.mass,
+        com=about.first,
+        inertia=about.inertia,
+        M=mass,
+        K=stiffness,
+        D=damping,
+        S=about.S,
+        H=about.H,
+        inertia1=_six(about.inertia1),
+        inertia2=_six(about.inertia2),
+        S2=about.S2,
+        H2=about.H2,
+        stations=stations,
+        wire=wire,
+    )
+
+
 def _steiner(com: Floats, moments: Floats) -> Floats:
     """2 (c . p) 1 - c p' - p c' for each moment p [3, ...]."""
     mixed = np.multiply.outer(com, moments)
@@ -121,6 +143,6 @@ def _products(moments: Floats) -> Floats:
     return np.asarray(np.multiply.outer(np.eye(3), trace) - mixed - np.swapaxes(mixed, 0, 1))
 
 
-def six(tensor: Floats) -> Floats:
+def _six(tensor: Floats) -> Floats:
     """xx, yy, zz, xy, xz, yz of symmetric tensors [3, 3, ...]."""
     return np.stack([tensor[i, j] for i, j in PAIRS])

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lagdsl.exchange.flexible.body import Body, Floats, Moments, Station, Wire, central, six
+from lagdsl.exchange.flexible.body import Body, Floats, Moments, Station, Wire, body_of, central
 from lagdsl.exchange.flexible.deck import unknown
 from lagdsl.exchange.flexible.keywords import LONGEST
 from lagdsl.exchange.flexible.refusal import Refused, end_span
@@ -37,21 +37,14 @@ def sid_body(sid: Sid, names: Sequence[str], metre: float) -> Body:
     about = _moments(sid, matrix, metre)
     damping = sid.matrices.get("De")
     stations = {number: _station(sid, number, metre) for number in sid.nodes}
-    return Body(
-        mass=about.mass,
-        com=about.first,
-        inertia=about.inertia,
-        M=matrix["Me"].m0 / metre,
-        K=matrix["Ke"].m0 / metre,
-        D=np.zeros((sid.modes, sid.modes)) if damping is None else damping.m0 / metre,
-        S=about.S,
-        H=about.H,
-        inertia1=six(about.inertia1),
-        inertia2=six(about.inertia2),
-        S2=about.S2,
-        H2=about.H2,
-        stations=tuple(_chosen(stations, name) for name in names),
-        wire=_wire(list(stations.values())),
+    zero = np.zeros((sid.modes, sid.modes))
+    return body_of(
+        about,
+        matrix["Me"].m0 / metre,
+        matrix["Ke"].m0 / metre,
+        zero if damping is None else damping.m0 / metre,
+        tuple(_chosen(stations, name) for name in names),
+        _wire(list(stations.values())),
     )
 
 

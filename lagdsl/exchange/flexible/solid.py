@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lagdsl.exchange.flexible.body import Body, Floats, Moments, Station, central, six
+from lagdsl.exchange.flexible.body import Body, Floats, Station, body_of, central
 from lagdsl.exchange.flexible.deck import INNER, Deck, unknown
 from lagdsl.exchange.flexible.geometric_stiffness import geometric_stiffness, no_stiffening
 from lagdsl.exchange.flexible.matrices import Matrices, Sparse
@@ -48,7 +48,8 @@ def solid_body(deck: Deck, matrices: Matrices, names: Sequence[str], modes: int,
         second = np.zeros((loads.shape[1], len(small.mass), len(small.mass)))
     about = central(moments(block, places, share, small.shapes, second[:12].reshape(4, 3, *second.shape[1:])))
     stations = _stations(interfaces, small, second[12:].reshape(-1, 3, *second.shape[1:]))
-    return replace(_body(about, small, stations), wire=wire(deck, order, places, small.shapes))
+    matrices_of_modes = np.diag(small.mass), np.diag(small.stiffness), np.zeros((len(small.mass), len(small.mass)))
+    return body_of(about, *matrices_of_modes, stations, wire(deck, order, places, small.shapes))
 
 
 def _share(deck: Deck, order: dict[int, int]) -> Floats:
@@ -131,24 +132,4 @@ def _stations(interfaces: Sequence[Interface], small: Reduction, second: Floats)
     return tuple(
         Station(name=interface.name, place=interface.point, shape=motion[:3], turn=motion[3:], shape2=bent)
         for interface, motion, bent in zip(interfaces, small.motions, second, strict=True)
-    )
-
-
-def _body(about: Moments, small: Reduction, stations: tuple[Station, ...]) -> Body:
-    count = len(small.mass)
-    return Body(
-        mass=about.mass,
-        com=about.first,
-        inertia=about.inertia,
-        M=np.diag(small.mass),
-        K=np.diag(small.stiffness),
-        D=np.zeros((count, count)),
-        S=about.S,
-        H=about.H,
-        inertia1=six(about.inertia1),
-        inertia2=six(about.inertia2),
-        S2=about.S2,
-        H2=about.H2,
-        stations=stations,
-        wire=None,
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias, assert_never
 
 import numpy as np
@@ -14,10 +13,8 @@ from lagdsl.engines.runtime.structures import Status
 from lagdsl.foundation.diagnostics import Label, Sink
 from lagdsl.foundation.numerics.rank import Floats
 from lagdsl.foundation.record import record
-from lagdsl.language.flat.evaluate import NotEvaluable
 from lagdsl.language.flat.event_flow import branches
 from lagdsl.language.flat.events import Branch, Check, Contact, Entry, Friction, Reset, entries
-from lagdsl.language.flat.expression import Variable
 from lagdsl.language.flat.model import Constraint, FlatModel
 from lagdsl.language.flat.quantity import Item
 from lagdsl.motion.simulate.state_words import component_name, evaluator_at, state_text, time_text, zero_norm
@@ -95,7 +92,7 @@ def report_fault(course: Course, status: Status, fault: Fault, u: Floats, sink: 
             | Status.POSITION_JUMP
             | Status.WAY_JUMP
         ):
-            code, item, text = _of_event(course, status, fault, u)
+            code, item, text = _of_event(course, status, fault)
             return _told(course, code, fault, item, sink, text=text)
         case (
             Status.OK
@@ -215,7 +212,7 @@ def _report_no_forces(course: Course, fault: Fault, sink: Sink) -> str | None:
     return _told(course, "E0843", fault, frictions[0] if frictions else None, sink, text=named)
 
 
-def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> tuple[str, Item, str]:
+def _of_event(course: Course, status: _EventStatus, fault: Fault) -> tuple[str, Item, str]:
     """Code, place and name of the clause that failed at an instant."""
     flat = course.flat
     actions = [action for branch in branches(flat) for action in branch.actions]
@@ -225,8 +222,11 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
         case Status.EVENT_ITERATION_FAILED | Status.CHATTER | Status.PENETRATION | Status.WAY_JUMP:
             known = entries(flat.events)
             changing = [known[k] for k in course.run.guilty()]
-            if status == Status.WAY_JUMP:
-                changing = _displacing(course, changing, fault, u)
+            behind = fault.which - len(known)
+            if 0 <= behind < len(resets):  # the clause that sets a state, and no condition of clauses
+                reset = resets[behind]
+                others = (entry for entry in changing if not isinstance(entry.item, Branch))
+                changing = [Entry(reset.name, "variable", reset), *others]
             items = [entry.item for entry in changing if entry.item is not None]
             laws = (Contact, Friction)
             names = [entry.item.name if isinstance(entry.item, laws) else entry.name for entry in changing]
@@ -241,21 +241,3 @@ def _of_event(course: Course, status: _EventStatus, fault: Fault, u: Floats) -> 
             return "E0835", _row(flat, fault.which), f"`{course.layout.constraints[fault.which].name}`"
         case _:
             assert_never(status)
-
-
-def _displacing(course: Course, changing: Sequence[Entry], fault: Fault, u: Floats) -> list[Entry]:
-    """Entries that place a mass elsewhere: states with the value that a clause sets; of the others no conditions."""
-    flat = course.flat
-    evaluator = evaluator_at(flat, course.layout, fault.t, fault.x, u, course.run.p)
-    own = [entry.item for entry in changing if isinstance(entry.item, Branch)]
-    found: dict[str, Reset] = {}
-    for action in (action for branch in own or branches(flat) for action in branch.actions):
-        if isinstance(action, Reset) and not action.rate:
-            try:
-                is_there = evaluator.scalar(action.value) == evaluator.scalar(Variable(action.name))
-            except NotEvaluable:
-                is_there = True
-            if is_there:
-                found.setdefault(action.name, action)
-    others = [entry for entry in changing if not isinstance(entry.item, Branch)]
-    return [Entry(name, "variable", action) for name, action in found.items()] + others or list(changing)

@@ -16,16 +16,6 @@ static void doubles(const char *name, const double *values, size_t count)
     printf("\n");
 }
 
-static void bytes(const char *name, const unsigned char *values, size_t count)
-{
-    printf("%s", name);
-    for (size_t i = 0; i < count; i++) {
-        if (values == NULL) printf(" -");
-        else printf(" %d", values[i]);
-    }
-    printf("\n");
-}
-
 int main(void)
 {
     const lag_fmu *fmu = &lag_exported;
@@ -39,7 +29,6 @@ int main(void)
         }
         printf("\n");
     }
-    bytes("fixed", fmu->fixed, sizes[0]);
     doubles("nominal", fmu->nominal, sizes[0]);
     doubles("group", fmu->sizes.group, sizes[0]);
     doubles("natural", fmu->sizes.natural, sizes[0]);

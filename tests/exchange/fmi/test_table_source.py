@@ -85,7 +85,6 @@ def test_the_table_is_that_of_the_description(version: Version, tmp_path: Path) 
         ("cap", settings.caps),
         ("row_sizes", settings.row_sizes),
         ("lasting", settings.lasting),
-        ("fixed", settings.fixed),
     ):
         assert numbers(found[name][0]) == [float(value) for value in values]
     # road, its rate and its second rate are the inputs 1, 2 and 3 of 4

@@ -23,7 +23,6 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "variables": ("lag_variable", [_row(variable, table.version) for variable in table.variables]),
         "constants.numbers": ("double", _numbers([float(start) for is_text, start in constants if not is_text])),
         "constants.texts": ("char *const", [string(str(start)) for is_text, start in constants if is_text]),
-        "fixed": ("unsigned char", _flags(settings.fixed)),
         "nominal": ("double", _numbers(settings.nominal)),
         "sizes.group": ("double", _numbers(settings.groups)),
         "sizes.natural": ("double", _numbers(settings.natural)),
@@ -31,8 +30,8 @@ def table_source(table: Table, stem: str, token: str) -> str:
         "sizes.row_sizes": ("double", _numbers(settings.row_sizes)),
         "row_factors": ("double", _numbers(table.program.layout.row_factors)),
         "lasting.rows": ("double", _numbers([float(flag) for flag in settings.lasting])),
-        "parameter_range": ("lag_range", _ranges(table, Role.PARAMETER, len(table.program.layout.parameters))),
-        "inputs.range": ("lag_range", _ranges(table, Role.INPUT, len(flat.inputs))),
+        "parameter_range": ("lag_range", _ranges(table, len(settings.parameters), Role.PARAMETER, Role.FREE)),
+        "inputs.range": ("lag_range", _ranges(table, len(flat.inputs), Role.INPUT)),
         "indicators.entries": ("size_t", _indicators(table)),
         "states.entries": ("size_t", _states(table)),
         "inputs.rates": ("size_t", _input_rates(flat)),
@@ -108,12 +107,12 @@ def _counts(values: Sequence[int]) -> list[str]:
     return [str(value) for value in values]
 
 
-def _ranges(table: Table, role: Role, count: int) -> list[str]:
+def _ranges(table: Table, count: int, *roles: Role) -> list[str]:
     """Of all `count` parameters or inputs, where one of them has bounds. The motion may lead a real input anywhere."""
     ranges = [(-math.inf, math.inf)] * count
-    for _, variable in table.of(role):
+    for variable in (found for role in roles for _, found in table.of(role)):
         attributes = variable.attributes
-        if role is Role.INPUT and attributes.type == "REAL":
+        if attributes.role is Role.INPUT and attributes.type == "REAL":
             continue
         low, high = attributes.minimum, attributes.maximum
         if attributes.literals:

@@ -29,7 +29,7 @@ def parameters(flat: FlatModel, program: Program, settings: Settings) -> Iterato
             continue
         variability: Variability = "tunable" if index in changeable else "fixed"
         attributes = replace(
-            attributes_of(item, Role.PARAMETER),
+            attributes_of(item, Role.FREE if item.free else Role.PARAMETER),
             causality="calculatedParameter" if item.free else "parameter",
             variability=variability,
             setting="TUNABLE" if variability == "tunable" else "START",

@@ -15,6 +15,7 @@ class Role(StrEnum):
 
     TIME = "TIME"
     PARAMETER = "PARAMETER"
+    FREE = "FREE"
     CONSTANT = "CONSTANT"
     STATE = "STATE"
     DEPENDENT = "DEPENDENT"

@@ -27,7 +27,7 @@ _SAME_TICK = 1e-9
 
 @record(kw_only=True)
 class Settings:
-    """Of `lag_fmu` in lag/fmu.h. `fixed`, `nominal`, `groups`, `natural`, `caps`: (2 nq + nz,) in the order of
+    """Of `lag_fmu` in lag/fmu.h. `nominal`, `groups`, `natural`, `caps`: (2 nq + nz,) in the order of
     (q, qd, z); `row_sizes`, `lasting`: (nc,); `inputs` (nu,) are the default inputs at the start, `parameters`
     (np) the defaults with free ones as they were found, `clocks` (nclock) periods and times from the start to the first
     tick; SI units."""
@@ -35,7 +35,6 @@ class Settings:
     start: Start
     parameters: tuple[float, ...]
     inputs: tuple[float, ...]
-    fixed: tuple[bool, ...]
     nominal: tuple[float, ...]
     groups: tuple[float, ...]
     natural: tuple[float, ...]
@@ -66,11 +65,6 @@ def settings(
         start=start,
         parameters=tuple(layout.defaults if parameters is None else parameters),
         inputs=_floats(space.u),
-        fixed=(
-            *(c.fixed for c in flat.coordinates),
-            *(c.rate_fixed for c in flat.coordinates),
-            *(s.fixed for s in flat.states),
-        ),
         nominal=_floats(np.where(natural > 0.0, natural, 1.0)),
         groups=_floats(scales.groups),
         natural=_floats(natural),

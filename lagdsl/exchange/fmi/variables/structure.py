@@ -241,8 +241,9 @@ class _Search:
 
 
 def _role_of_entries(variable: Variable) -> Role:
-    """Dependent coordinates and their rates are entries of x, as states are."""
-    return Role.STATE if variable.attributes.role is Role.DEPENDENT else variable.attributes.role
+    """Dependent coordinates and their rates are entries of x, as states are; free parameters are parameters."""
+    role = variable.attributes.role
+    return {Role.DEPENDENT: Role.STATE, Role.FREE: Role.PARAMETER}.get(role, role)
 
 
 def _at(element: int, dependency: tuple[int, int, str]) -> ElementDependency:

@@ -152,7 +152,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     return LAG_OK;
 }
 
-lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values)
+lag_status lag_instance_set_input(lag_instance *instance, size_t variable, int order, const double *values)
 {
     (void)variable;
     (void)values;
@@ -204,21 +204,14 @@ void lag_instance_set_states(lag_instance *instance, const double *x)
     memcpy(instance->held.x, x, sizeof instance->held.x);
 }
 
-void lag_instance_states(const lag_instance *instance, double *x)
+lag_status lag_instance_vector(lag_instance *instance, lag_role role, double *values)
 {
-    memcpy(x, instance->held.x, sizeof instance->held.x);
-}
-
-lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
-{
-    xd[0] = instance->held.x[1];
-    return lag_instance_get(instance, V_QDD, &xd[1]);
-}
-
-lag_status lag_instance_indicators(lag_instance *instance, double *g)
-{
-    g[0] = instance->held.x[0] - 0.5;
-    return LAG_OK;
+    const double *x = instance->held.x;
+    values[0] = role == LAG_ROLE_INDICATOR ? x[0] - 0.5 : role == LAG_ROLE_STATE ? x[0] : x[1];
+    if (role == LAG_ROLE_STATE) {
+        values[1] = x[1];
+    }
+    return role == LAG_ROLE_DERIVATIVE ? lag_instance_get(instance, V_QDD, &values[1]) : LAG_OK;
 }
 
 lag_status lag_instance_update(lag_instance *instance, lag_update *told)
@@ -252,16 +245,9 @@ static void stand_in_move(lag_instance *instance, double t)
     held->t = t;
 }
 
-int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable)
+lag_status lag_instance_judge(lag_instance *instance, lag_status status)
 {
-    (void)instance;
-    (void)variable;
-    return 0;
-}
-
-lag_status lag_instance_give_up(lag_instance *instance)
-{
-    return stand_in_fail(instance, LAG_TOO_LONG);
+    return stand_in_fail(instance, status);
 }
 
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told)
@@ -334,16 +320,10 @@ lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
 }
 
 /* There are no clocks: the shells refuse all others before they ask. */
-lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double t, double *period, double *tick)
 {
     (void)which;
-    *period = *shift = 0.0;
-    return stand_in_fail(instance, LAG_MISSING);
-}
-
-lag_status lag_instance_tick(lag_instance *instance, size_t which)
-{
-    (void)which;
+    *period = *tick = t;
     return stand_in_fail(instance, LAG_MISSING);
 }
 

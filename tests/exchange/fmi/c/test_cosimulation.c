@@ -84,7 +84,7 @@ static void polynomial(void)
     lag_instance *one = begun(&OSC_FMU, 0.0, 10.0, TOLERANCE);
     set(one, OSC_U, 1.0);
     for (int order = 1; order <= 3; ++order) {
-        CHECK_OK(one, lag_instance_set_input_derivative(one, OSC_U, order, &derivatives[order - 1]));
+        CHECK_OK(one, lag_instance_set_input(one, OSC_U, order, &derivatives[order - 1]));
     }
     for (unsigned k = 1; k <= 100; ++k) {
         const double t = 0.02 * k;
@@ -97,7 +97,7 @@ static void polynomial(void)
     set(one, OSC_U, get(one, OSC_U)); /* no jump */
     step_to(one, 2.0001, 1);
     CHECK(one->run->stepper.counts.steps <= before + 1);
-    CHECK(lag_instance_set_input_derivative(one, OSC_U, 4, derivatives) == LAG_MISSING);
+    CHECK(lag_instance_set_input(one, OSC_U, 4, derivatives) == LAG_MISSING);
     free(one);
 }
 
@@ -124,7 +124,7 @@ static void rates_of_outputs(void)
     const double slope = 0.7;
     double rate = 0.0;
     set(one, OSC_U, 0.3);
-    CHECK_OK(one, lag_instance_set_input_derivative(one, OSC_U, 1, &slope));
+    CHECK_OK(one, lag_instance_set_input(one, OSC_U, 1, &slope));
     step_to(one, 1.7, 5);
     const double qd = get(one, OSC_QD);
     const double q = get(one, OSC_Q);

@@ -142,7 +142,7 @@ static void rk4(importer *own, double h, double *x)
         }
         lag_instance_set_time(own->one, own->t + node[k] * h);
         lag_instance_set_states(own->one, at);
-        CHECK_OK(own->one, lag_instance_derivatives(own->one, slope));
+        CHECK_OK(own->one, lag_instance_vector(own->one, LAG_ROLE_DERIVATIVE, slope));
         for (size_t i = 0; i < MACH_SIZE; ++i) {
             x[i] += weight[k] * h * slope[i];
         }
@@ -154,7 +154,7 @@ static void rk4(importer *own, double h, double *x)
 static int crosses(importer *own, const double *before)
 {
     double g[2];
-    CHECK_OK(own->one, lag_instance_indicators(own->one, g));
+    CHECK_OK(own->one, lag_instance_vector(own->one, LAG_ROLE_INDICATOR, g));
     return (g[0] > 0.0) != (before[0] > 0.0) || (g[1] > 0.0) != (before[1] > 0.0);
 }
 
@@ -166,7 +166,7 @@ static void advance(importer *own, double h, int locate)
     int event = 0;
     int late = 0;
     lag_instance_set_states(own->one, own->x);
-    CHECK_OK(own->one, lag_instance_indicators(own->one, before));
+    CHECK_OK(own->one, lag_instance_vector(own->one, LAG_ROLE_INDICATOR, before));
     if (own->t + h >= own->next) {
         h = own->next - own->t;
         late = 1;
@@ -193,7 +193,7 @@ static void advance(importer *own, double h, int locate)
         lag_update update;
         ++own->events;
         CHECK_OK(own->one, lag_instance_update(own->one, &update));
-        lag_instance_states(own->one, own->x);
+        CHECK_OK(own->one, lag_instance_vector(own->one, LAG_ROLE_STATE, own->x));
         CHECK(!update.terminate && update.next > own->t);
         own->next = update.next;
     }
@@ -206,7 +206,7 @@ static importer importing(void)
     CHECK_OK(own.one, lag_instance_begin(own.one));
     CHECK_OK(own.one, lag_instance_update(own.one, &update));
     CHECK_NEAR(update.next, 0.05, 1e-15);
-    lag_instance_states(own.one, own.x);
+    CHECK_OK(own.one, lag_instance_vector(own.one, LAG_ROLE_STATE, own.x));
     own.next = update.next;
     return own;
 }

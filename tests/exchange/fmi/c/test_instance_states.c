@@ -1,4 +1,4 @@
-/* States of instances as bytes: they go on to the bit, anywhere; what is no such state is refused. Threads do not know of each other. */
+/* States of instances as bytes: they go on to the bit, anywhere. Threads do not know of each other. */
 #include <pthread.h>
 
 #include "instances.h"
@@ -23,7 +23,7 @@ static void go_on(lag_instance *one, size_t size, int jumps, double *x)
             set(one, OSC_U, 0.01 * k);
         }
         CHECK_OK(one, lag_instance_step(one, 0.007, 0, &told));
-        lag_instance_states(one, x + (size_t)k * size);
+        CHECK_OK(one, lag_instance_vector(one, LAG_ROLE_STATE, x + (size_t)k * size));
     }
 }
 
@@ -68,23 +68,6 @@ static void before_the_start(void)
     free(one);
     free(other);
     free(bytes);
-}
-
-/* Bytes of a run of another model; everything else is the shell's to look at. */
-static void foreign(void)
-{
-    lag_instance *one = begun(&OSC_FMU, 0.0, 2.0, 0.0);
-    const size_t size = lag_instance_saved_size(one);
-    unsigned char *bytes = saved(one);
-    step_to(one, 1.0, 10);
-    const double q = get(one, OSC_Q);
-    bytes[size - 1] ^= 0x10;
-    CHECK(lag_instance_load(one, bytes) == LAG_BAD_STATE_DATA && get(one, OSC_Q) == q);
-    bytes[size - 1] ^= 0x10;
-    CHECK_OK(one, lag_instance_load(one, bytes));
-    CHECK(get(one, OSC_TIME) == 0.0);
-    free(bytes);
-    free(one);
 }
 
 /* ---- threads ---- */
@@ -132,7 +115,6 @@ int main(void)
     rollback(&MACH_FMU, MACH_SIZE, 0);
     rollback(&OSC_FMU, 3, 1);
     before_the_start();
-    foreign();
     threads();
     (void)printf("instance_states: ok\n");
     return EXIT_SUCCESS;

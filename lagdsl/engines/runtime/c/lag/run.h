@@ -303,7 +303,8 @@ typedef struct lag_fault {
      * LAG_SINGULAR: a coordinate whose acceleration is not determined. LAG_MOMENTUM_UNREACHABLE: one of which no rate has the momentum.
      * LAG_NOT_FINITE: the first number of x' that is none. LAG_STEP_TOO_SMALL: the number of x that changes fastest. LAG_PROJECTION_FAILED, LAG_POSITION_JUMP: the row of the constraints that is farthest off. LAG_BRANCH_POINT: the one that has
      * the largest share in the combination that vanishes. LAG_VIOLATED: an assertion, or behind all of them an invariant. LAG_CONFLICT:
-     * a reset. LAG_ASSERTION_FAILED: an assertion of a clause.
+     * a reset. LAG_ASSERTION_FAILED: an assertion of a clause. LAG_EVENT_ITERATION_FAILED, LAG_CHATTER, LAG_PENETRATION, LAG_WAY_JUMP: the first
+     * entry of lag_run_report.guilty; of the last one, behind all entries, the reset of a state that places a mass elsewhere.
      */
     size_t which;
     double value, limit; /* LAG_PROJECTION_FAILED, LAG_POSITION_JUMP: the residual, in the unit of the row. LAG_VIOLATED: the drift of the invariant and what it may be */

@@ -11,6 +11,7 @@
 typedef enum lag_role {
     LAG_ROLE_TIME,
     LAG_ROLE_PARAMETER,  /* p (np) */
+    LAG_ROLE_FREE,       /* p (np): initialization solves for it, from the value that was set as a guess */
     LAG_ROLE_CONSTANT,   /* `constants` of the FMU: structural parameters and constants of the model */
     LAG_ROLE_STATE,      /* x = (q, qd, z) (2 nq + nz) */
     LAG_ROLE_DEPENDENT,  /* entries of x that follow from states: starts until initialization ends, computed from there on */
@@ -20,7 +21,7 @@ typedef enum lag_role {
     LAG_ROLE_LOCAL,      /* dependent parameters, then definitions: what model->definition gives (nd) */
     LAG_ROLE_DISCRETE,   /* w (nw) */
     LAG_ROLE_MULTIPLIER, /* lam (nc) */
-    LAG_ROLE_INDICATOR,  /* event indicators: see lag_instance_indicators() */
+    LAG_ROLE_INDICATOR,  /* event indicators: instance/events.c tells what they are */
     LAG_ROLE_ENERGY,     /* 0 total, 1 kinetic, 2 potential [J] */
     LAG_ROLE_RESIDUAL,   /* largest residual of the constraints over the sizes of their rows: 0 of positions, 1 of velocities */
     LAG_ROLE_OPTION,     /* see lag_option */
@@ -132,7 +133,6 @@ typedef struct lag_fmu {
     const lag_variable *variables; /* (nvariable) */
     lag_constants constants;
     const lag_start *start;      /* where the motion starts with the default parameters */
-    const unsigned char *fixed;  /* (2 nq + nz) 1: the start value holds exactly, it is not only where the search begins */
     const double *nominal;       /* (2 nq + nz) */
     lag_experiment experiment;
     lag_sizes sizes;

@@ -1,4 +1,5 @@
 /* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
+#include "lag/events/clock.h"
 #include "lag/fmi3/fmi3.h"
 #include <math.h>
 
@@ -13,7 +14,7 @@
 #include "lag/fmi3/fmi3_cosimulation.c"
 
 #include "lag/fmi3/fmi3_derivatives.c"
-#undef EVALUABLE
+#undef LAG_DERIVATIVES_BY
 
 #include "lag/fmi3/fmi3_exchange.c"
 

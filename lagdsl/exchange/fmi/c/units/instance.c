@@ -28,25 +28,19 @@
 
 #include "lag/instance/events.c"
 
-#define gather exchange_gather
 #include "lag/instance/exchange.c"
-#undef gather
 
 #include "lag/instance/inputs.c"
 
 #define lay_out instance_lay_out
-#define take instance_take
 #include "lag/instance/instance.c"
 #undef lay_out
-#undef take
 
 #define name_of instance_messages_name_of
 #include "lag/instance/instance_messages.c"
 #undef name_of
 
-#define gather instance_start_gather
 #include "lag/instance/instance_start.c"
-#undef gather
 
 #include "lag/instance/variables.c"
 
@@ -63,9 +57,7 @@
 #undef FORMAT
 #undef fault
 
-#define take handle_take
 #include "lag/shell/handle.c"
-#undef take
 
 #include "lag/shell/lifecycle.c"
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "lag/evaluate.h"
+#include "lag/linalg/arena.h"
 #include "lag/run.h"
 
 void lag_run_lose(lag_run *run, double t, const double *x)
@@ -125,6 +126,19 @@ static void explain_violated(lag_run *run, lag_fault *fault)
     }
 }
 
+/* The first entry that an event could not settle; of a place that jumped, the first reset that has given a state in it another value. */
+static void explain_entries(lag_run *run, int placed, lag_fault *fault)
+{
+    const lag_model *model = run->motion.model;
+    const size_t entry = lag_first(model->nw, run->instants.discretes.guilty);
+    fault->which = entry < model->nw ? entry : model->nw + model->nreset;
+    for (size_t i = placed ? model->nreset : 0; i-- > 0;) {
+        const size_t place = model->reset_places[i];
+        const int displaces = place >= 2 * model->nq && fault->x[place] != run->instants.instant.from[place];
+        fault->which = displaces ? model->nw + i : fault->which;
+    }
+}
+
 /* Moves the fault to the state at which the accelerations failed. */
 static void use_failed_state(const lag_run *run, lag_fault *fault)
 {
@@ -167,6 +181,12 @@ void lag_run_explain(lag_run *run, lag_status status, lag_fault *fault)
         break;
     case LAG_VIOLATED:
         explain_violated(run, fault);
+        break;
+    case LAG_EVENT_ITERATION_FAILED:
+    case LAG_CHATTER:
+    case LAG_PENETRATION:
+    case LAG_WAY_JUMP:
+        explain_entries(run, status == LAG_WAY_JUMP, fault);
         break;
     case LAG_CONFLICT:
     case LAG_ASSERTION_FAILED:

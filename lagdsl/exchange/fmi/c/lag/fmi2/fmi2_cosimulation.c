@@ -23,7 +23,7 @@ fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real currentCommunicationPoint
 {
     LAG_ENTER_STEPS("DoStep", LAG_MODE_STEP)
     (void)noSetFMUStatePriorToCurrentPoint;
-    lag_outcome outcome;
+    lag_progress outcome;
     const lag_answer answer = lag_shell_step(shell, currentCommunicationPoint, communicationStepSize, NULL, &outcome);
     if (answer == LAG_ANSWER_OK && outcome.terminate) {
         shell->now.mode = LAG_MODE_STEP_FAILED;

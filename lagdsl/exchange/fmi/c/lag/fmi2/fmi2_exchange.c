@@ -33,5 +33,5 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component instance, fmi2EventInfo *eventInf
 fmi2Status fmi2GetDerivatives(fmi2Component instance, fmi2Real derivatives[], size_t nx)
 {
     LAG_ENTER_EXCHANGE("GetDerivatives", EVALUABLE)
-    return (fmi2Status)lag_shell_get_derivatives(shell, derivatives, nx);
+    return (fmi2Status)lag_shell_get_vector(shell, LAG_ROLE_DERIVATIVE, derivatives, nx);
 }

@@ -59,11 +59,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
     int known = !lag_shell_lacks(shell, nRequiredIntermediateVariables > 0 && requiredIntermediateVariables == NULL,
         "the array of required intermediate variables");
     for (size_t i = 0; known && i < nRequiredIntermediateVariables; ++i) {
-        known = requiredIntermediateVariables[i] < shell->fmu->nvariable;
-        if (!known) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu",
-                (unsigned long)requiredIntermediateVariables[i]);
-        }
+        known = lag_shell_variable(shell, requiredIntermediateVariables[i]) != NULL;
     }
     if (!known) {
         lag_shell_free(shell, "fmi3InstantiateCoSimulation");

@@ -4,6 +4,15 @@
  */
 #include "lag/fmi3/fmi3.h"
 
+#include "lag/events/clock.h"
+
+/* Period of a clock, and its first tick from time t on. */
+static fmi3Status lag_find_tick(lag_shell *shell, fmi3ValueReference reference, double t, double *period, double *tick)
+{
+    const lag_status status = lag_instance_clock(shell->instance, shell->fmu->variables[reference].first, t, period, tick);
+    return (fmi3Status)lag_shell_refused(shell, status);
+}
+
 fmi3Status fmi3GetClock(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Clock values[])
 {
     LAG_ENTER("GetClock", LAG_MODES_ALL)
@@ -22,14 +31,18 @@ fmi3Status fmi3SetClock(fmi3Instance instance, const fmi3ValueReference valueRef
     if (!lag_shell_clocks(shell, valueReferences, nValueReferences, values)) {
         return fmi3Error;
     }
-    for (size_t i = 0; i < nValueReferences; ++i) {
-        const size_t which = shell->fmu->variables[valueReferences[i]].first;
-        const lag_status status = values[i] ? lag_instance_tick(shell->instance, which) : LAG_OK;
-        if (status != LAG_OK) {
-            return (fmi3Status)lag_shell_refused(shell, status);
+    const double t = shell->now.reached;
+    fmi3Status answer = fmi3OK;
+    for (size_t i = 0; i < nValueReferences && answer == fmi3OK; ++i) {
+        double period = 0.0;
+        double tick = t;
+        answer = values[i] ? lag_find_tick(shell, valueReferences[i], t, &period, &tick) : fmi3OK;
+        if (answer == fmi3OK && tick > t + LAG_SAME_TICK * period) {
+            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the clock does not tick at %.10g s, but at %.10g s", t, tick);
+            answer = fmi3Error;
         }
     }
-    return fmi3OK;
+    return answer;
 }
 
 fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
@@ -41,17 +54,14 @@ fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance, const fmi3ValueReferenc
         return fmi3Error;
     }
     const int settled = shell->now.mode != LAG_MODE_INITIALIZATION;
-    for (size_t i = 0; i < nValueReferences; ++i) {
-        double shift = 0.0;
-        const lag_status status =
-            lag_instance_clock(shell->instance, shell->fmu->variables[valueReferences[i]].first, &intervals[i], &shift);
-        if (status != LAG_OK) {
-            return (fmi3Status)lag_shell_refused(shell, status);
-        }
+    fmi3Status answer = fmi3OK;
+    for (size_t i = 0; i < nValueReferences && answer == fmi3OK; ++i) {
+        double tick = 0.0;
         const int constant = shell->fmu->variables[valueReferences[i]].setting == LAG_SET_NEVER;
+        answer = lag_find_tick(shell, valueReferences[i], shell->now.start, &intervals[i], &tick);
         qualifiers[i] = settled || constant ? fmi3IntervalUnchanged : fmi3IntervalChanged;
     }
-    return fmi3OK;
+    return answer;
 }
 
 fmi3Status fmi3GetShiftDecimal(fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Float64 shifts[])
@@ -60,13 +70,12 @@ fmi3Status fmi3GetShiftDecimal(fmi3Instance instance, const fmi3ValueReference v
     if (!lag_shell_clocks(shell, valueReferences, nValueReferences, shifts)) {
         return fmi3Error;
     }
-    for (size_t i = 0; i < nValueReferences; ++i) {
+    fmi3Status answer = fmi3OK;
+    for (size_t i = 0; i < nValueReferences && answer == fmi3OK; ++i) {
         double period = 0.0;
-        const lag_status status =
-            lag_instance_clock(shell->instance, shell->fmu->variables[valueReferences[i]].first, &period, &shifts[i]);
-        if (status != LAG_OK) {
-            return (fmi3Status)lag_shell_refused(shell, status);
-        }
+        double tick = shell->now.start;
+        answer = lag_find_tick(shell, valueReferences[i], shell->now.start, &period, &tick);
+        shifts[i] = tick > shell->now.start ? tick - shell->now.start : 0.0; /* round-off may lie before the start */
     }
-    return fmi3OK;
+    return answer;
 }

@@ -39,7 +39,7 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 currentCommunicationPoi
     LAG_NEEDS(terminateSimulation, "terminateSimulation")
     LAG_NEEDS(earlyReturn, "earlyReturn")
     LAG_NEEDS(lastSuccessfulTime, "lastSuccessfulTime")
-    lag_outcome outcome;
+    lag_progress outcome;
     const lag_answer answer =
         lag_shell_step(shell, currentCommunicationPoint, communicationStepSize, shell->host.update != NULL ? between : NULL, &outcome);
     *eventHandlingNeeded = outcome.event != 0;

@@ -1,32 +1,24 @@
 /* FMI 3.0: derivatives, and what depends on what. */
 #include "lag/fmi3/fmi3.h"
 
-#define EVALUABLE (LAG_MODES_ALL & ~LAG_MODE_INSTANTIATED)
+#define LAG_DERIVATIVES_BY(NAME, ADJOINT)                                                                                   \
+    fmi3Status fmi3##NAME(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,                     \
+        const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], \
+        size_t nSensitivity)                                                                                                \
+    {                                                                                                                       \
+        LAG_ENTER(#NAME, LAG_MODES_KNOWN)                                                                                   \
+        return (fmi3Status)lag_shell_slopes(                                                                                \
+            shell, ADJOINT, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);                  \
+    }
 
-fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
-    const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],
-    size_t nSensitivity)
-{
-    LAG_ENTER("GetDirectionalDerivative", EVALUABLE)
-    return (fmi3Status)lag_shell_slopes(
-        shell, 0, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);
-}
-
-fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns,
-    const fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[],
-    size_t nSensitivity)
-{
-    LAG_ENTER("GetAdjointDerivative", EVALUABLE)
-    return (fmi3Status)lag_shell_slopes(
-        shell, 1, unknowns, nUnknowns, knowns, nKnowns, seed, nSeed, sensitivity, nSensitivity);
-}
+LAG_DERIVATIVES_BY(GetDirectionalDerivative, 0)
+LAG_DERIVATIVES_BY(GetAdjointDerivative, 1)
 
 /* The dependencies of a variable; null, and told why, where there is no such variable or nothing is known. */
 static const lag_dependency *dependencies_of(lag_shell *shell, fmi3ValueReference reference, size_t *count)
 {
     const lag_fmu *fmu = shell->fmu;
-    if (reference >= fmu->nvariable) {
-        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)reference);
+    if (lag_shell_variable(shell, reference) == NULL) {
         return NULL;
     }
     if (fmu->dependencies.first == NULL || fmu->dependencies.entries == NULL) {

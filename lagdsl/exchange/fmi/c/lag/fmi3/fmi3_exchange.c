@@ -6,7 +6,7 @@
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64 derivatives[], size_t nContinuousStates)
 {
     LAG_ENTER_EXCHANGE("GetContinuousStateDerivatives", EVALUABLE)
-    return (fmi3Status)lag_shell_get_derivatives(shell, derivatives, nContinuousStates);
+    return (fmi3Status)lag_shell_get_vector(shell, LAG_ROLE_DERIVATIVE, derivatives, nContinuousStates);
 }
 
 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t *nEventIndicators)
@@ -21,6 +21,6 @@ fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t *nConti
 {
     LAG_ENTER_EXCHANGE("GetNumberOfContinuousStates", LAG_MODES_LASTING)
     LAG_NEEDS(nContinuousStates, "nContinuousStates")
-    *nContinuousStates = lag_shell_order(shell);
+    *nContinuousStates = shell->fmu->states.count;
     return fmi3OK;
 }

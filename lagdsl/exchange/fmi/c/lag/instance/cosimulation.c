@@ -108,8 +108,8 @@ static lag_status advance_by_fixed_steps(lag_instance *instance, double end)
     for (double k = 0.0; k < count && status == LAG_OK; k += 1.0) {
         status = lag_run_fixed(run, (end - begun) / count, held->implicit ? lag_ros2 : lag_rk4, instance->scratch);
         run->stepper.t = status == LAG_OK && k + 1.0 == count ? end : run->stepper.t;
-        status = status == LAG_OK ? lag_instance_assert(instance, run->stepper.t, run->stepper.x) : status;
         status = status == LAG_OK ? deliver(instance, run->stepper.t) : status;
+        status = status == LAG_OK ? lag_instance_assert(instance) : status;
     }
     return status;
 }

@@ -26,7 +26,7 @@ static changes lay_out(lag_instance *instance)
     to.of[LAG_ROLE_TIME] = &d->time;
     to.of[LAG_ROLE_STATE] = to.of[LAG_ROLE_DEPENDENT] = d->x;
     to.of[LAG_ROLE_INPUT] = d->x + size;
-    to.of[LAG_ROLE_PARAMETER] = d->x + size + model->nu;
+    to.of[LAG_ROLE_PARAMETER] = to.of[LAG_ROLE_FREE] = d->x + size + model->nu;
     to.of[LAG_ROLE_MULTIPLIER] = d->dlam;
     to.of[LAG_ROLE_DERIVATIVE] = lag_take(&memory, size);
     to.of[LAG_ROLE_OUTPUT] = lag_take(&memory, model->ny);
@@ -37,11 +37,8 @@ static changes lay_out(lag_instance *instance)
 
 /* ---- the direction ---- */
 
-static int is_known(const lag_instance *instance, lag_role role)
-{
-    return role == LAG_ROLE_TIME || role == LAG_ROLE_STATE || role == LAG_ROLE_INPUT || role == LAG_ROLE_PARAMETER ||
-           (role == LAG_ROLE_DEPENDENT && !instance->held.moving);
-}
+/* Roles of knowns; until a motion begins dependent entries are, too. */
+static const unsigned KNOWN = LAG_BIT(TIME) | LAG_BIT(STATE) | LAG_BIT(INPUT) | LAG_BIT(PARAMETER) | LAG_BIT(FREE);
 
 /* Until initialization ends, states and inputs that were not set follow the parameters, as far as constraints let them. */
 static lag_status follow_parameters(lag_instance *instance)
@@ -112,12 +109,13 @@ static lag_status set_direction(lag_instance *instance, const changes *to, int p
 {
     const lag_model *model = instance->fmu->model;
     lag_derivatives *d = &instance->derivatives;
+    const unsigned roles = KNOWN | (instance->held.moving ? 0 : 1U << LAG_ROLE_DEPENDENT);
     lag_status status = lag_instance_evaluate(instance, pulled ? LAG_PULLED : LAG_DERIVATIVES);
     lag_fill(lag_motion_size(model) + model->nu + model->np, 0.0, d->x);
     d->time = 0.0;
     for (size_t k = 0; k < knowns && status == LAG_OK; ++k) {
         const lag_variable *variable = &instance->fmu->variables[known[k].variable];
-        if (!is_known(instance, (lag_role)variable->role)) {
+        if ((roles & 1U << variable->role) == 0) {
             return lag_instance_fail(instance, LAG_MISSING, "there are no derivatives with respect to %s", variable->name);
         }
         to->of[variable->role][variable->first + known[k].element] += seed[k];
@@ -169,7 +167,7 @@ lag_status lag_instance_get_output_derivative(lag_instance *instance, size_t var
     }
     lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
     status = status == LAG_OK ? lag_instance_evaluate(instance, LAG_DERIVATIVES) : status;
-    memcpy(d->x, instance->values.xd, size * sizeof(double));
+    memcpy(d->x, instance->values.of[LAG_ROLE_DERIVATIVE], size * sizeof(double));
     lag_instance_inputs_at(instance, 1, instance->held.t, d->x + size);
     lag_fill(model->np, 0.0, d->x + size + model->nu);
     d->time = 1.0;

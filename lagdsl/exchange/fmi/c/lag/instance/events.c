@@ -24,8 +24,6 @@ static const double EARLY = 0.5;
 static const double TOGETHER = 4.0;
 /* The band of a guard that has left without having been armed becomes so many times larger. */
 static const double WIDER = 4.0;
-/* An instant that lies so many roundings of the time behind the present is now. */
-static const double ROUNDINGS = 64.0;
 /* A short time before the first step, as a part of the experiment. */
 static const double SHORT_TIME = 1e-6;
 /* Importers find events so late at most, as a part of the experiment. */
@@ -88,15 +86,8 @@ lag_status lag_instance_find_indicators(lag_instance *instance)
     }
     for (size_t k = 0; k < indicators->count && status == LAG_OK; ++k) {
         const size_t i = indicators->entries[k];
-        instance->values.g[k] = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
+        instance->values.of[LAG_ROLE_INDICATOR][k] = is_false(instance, i) ? -distance_to_leave(instance, i) : distance_to_leave(instance, i);
     }
-    return status;
-}
-
-lag_status lag_instance_indicators(lag_instance *instance, double *g)
-{
-    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_INDICATOR);
-    memcpy(g, instance->values.g, instance->fmu->indicators.count * sizeof(double));
     return status;
 }
 
@@ -151,7 +142,7 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
 static double next_instant(const lag_instance *instance)
 {
     const lag_instants *instants = &instance->run->instants;
-    const double next = instance->fmu->model->event != NULL ? lag_instants_next(instants) : (double)INFINITY;
+    const double next = lag_instants_next(instants);
     return next > instance->held.stop && lag_instants_due(instants, instance->held.stop) ? instance->held.stop : next;
 }
 
@@ -160,8 +151,7 @@ static double present(const lag_instance *instance)
 {
     const double t = instance->held.t;
     const double next = next_instant(instance);
-    const double same = ROUNDINGS * DBL_EPSILON * fmax(fabs(t), instance->run->instants.contacts.length);
-    return t < instance->held.stop && next - t <= same ? fmax(t, next) : t;
+    return t < instance->held.stop && next <= lag_timed_behind(&instance->run->instants.timed, t) ? fmax(t, next) : t;
 }
 
 /*
@@ -212,7 +202,7 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     status = status == LAG_OK ? place(instance, t) : status;
     status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
     any = lag_any(count, run->half.pending);
-    if (status == LAG_OK && !any && instance->fmu->model->event != NULL) {
+    if (status == LAG_OK && !any) {
         status = lag_instants_conditions(&run->instants, t, instance->x, &any);
     }
     if (status == LAG_OK && any) {
@@ -240,51 +230,22 @@ lag_status lag_instance_update(lag_instance *instance, lag_update *told)
 
 lag_status lag_instance_terminate(lag_instance *instance)
 {
-    lag_run *run = instance->run;
     if (!instance->held.moving || instance->held.stopped) {
         return LAG_OK;
     }
     lag_status status = lag_instance_ready(instance);
-    status = status == LAG_OK ? lag_run_move(run, instance->held.t, instance->x, 0.0) : status;
-    if (status == LAG_OK) {
-        status = lag_run_end(run);
-        memcpy(instance->x, run->stepper.x, lag_motion_size(instance->fmu->model) * sizeof(double));
-        instance->values.known = 0;
-    }
-    return status == LAG_STOPPED ? LAG_OK : lag_instance_judge(instance, status);
+    status = status == LAG_OK ? lag_run_move(instance->run, instance->held.t, instance->x, 0.0) : status;
+    return lag_instance_judge(instance, status == LAG_OK ? lag_instance_leave_event(instance, lag_run_end(instance->run)) : status);
 }
 
-/* ---- clocks: they tick by themselves, at instants that are known ahead ---- */
-
-/* The first instant of a clock from time t on, but for round-off. Its period stays as it was at the start. */
-static lag_status seek(lag_instance *instance, size_t which, double t, double *period, double *instant)
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double t, double *period, double *tick)
 {
     const lag_status status = lag_instance_ready(instance);
+    lag_clock clock = instance->run->instants.clocks.each[which];
     if (status == LAG_OK) {
-        lag_clock clock = instance->run->instants.clocks.each[which];
-        lag_clock_seek(&clock, t - LAG_SAME_TICK * clock.period);
+        lag_clock_enter(&clock, t);
         *period = clock.period;
-        *instant = lag_clock_instant(&clock, clock.next);
+        *tick = lag_clock_instant(&clock, clock.next);
     }
     return status;
-}
-
-lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift)
-{
-    const double start = instance->held.start;
-    const lag_status status = seek(instance, which, start, period, shift);
-    *shift = fmax(0.0, *shift - start);
-    return status;
-}
-
-lag_status lag_instance_tick(lag_instance *instance, size_t which)
-{
-    const double t = instance->held.t;
-    double period = 0.0;
-    double tick = t;
-    const lag_status status = seek(instance, which, t, &period, &tick);
-    if (status != LAG_OK || tick <= t + LAG_SAME_TICK * period) {
-        return status;
-    }
-    return lag_instance_fail(instance, LAG_MISSING, "the clock does not tick at %.10g s, but at %.10g s", t, tick);
 }

@@ -38,14 +38,6 @@ void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, doubl
 
 /* ---- states ---- */
 
-/* Entries of x (2 nq + nz) that are states of the FMU. */
-static void gather(const lag_fmu *fmu, const double *x, double *states)
-{
-    for (size_t i = 0; i < fmu->states.count; ++i) {
-        states[i] = x[fmu->states.entries[i]];
-    }
-}
-
 void lag_instance_set_time(lag_instance *instance, double t)
 {
     instance->values.known = t == instance->held.t ? instance->values.known : 0;
@@ -62,28 +54,25 @@ void lag_instance_set_states(lag_instance *instance, const double *x)
     instance->values.known = 0;
 }
 
-void lag_instance_states(const lag_instance *instance, double *x)
+lag_status lag_instance_vector(lag_instance *instance, lag_role role, double *values)
 {
-    gather(instance->fmu, instance->x, x);
-}
-
-lag_status lag_instance_derivatives(lag_instance *instance, double *xd)
-{
-    const lag_status status = lag_instance_evaluate(instance, LAG_ROLE_DERIVATIVE);
-    gather(instance->fmu, instance->values.xd, xd);
+    const lag_status status = lag_instance_evaluate(instance, role);
+    const lag_selection *of = role == LAG_ROLE_INDICATOR ? &instance->fmu->indicators : &instance->fmu->states;
+    for (size_t i = 0; i < of->count; ++i) { /* indicators stand one after the other */
+        values[i] = instance->values.of[role][role == LAG_ROLE_INDICATOR ? i : of->entries[i]];
+    }
     return status;
 }
 
 lag_status lag_instance_completed(lag_instance *instance, int *events)
 {
     const double tolerance = instance->held.tolerance;
-    const double t = instance->held.t;
     lag_status status = lag_instance_evaluate(instance, LAG_ROLE_RESIDUAL);
     *events = fmax(instance->values.residual[0], instance->values.slip) > fmax(tolerance, fmin(KEPT * tolerance, MOST_KEPT));
     if (status == LAG_OK) {
         lag_contacts_follow(&instance->run->instants.contacts, instance->x);
-        status = lag_instance_assert(instance, t, instance->x);
-        status = status == LAG_OK ? lag_run_count_turns(instance->run, t, instance->x) : status;
+        status = lag_instance_assert(instance);
+        status = status == LAG_OK ? lag_run_count_turns(instance->run, instance->held.t, instance->x) : status;
     }
     lag_instance_leave_inputs(instance);
     return lag_instance_judge(instance, status);

@@ -24,22 +24,17 @@ static const double NOTHING = 1e-6;
 
 /* ---- polynomials ---- */
 
-/* Derivative number `order` of input i a time s after `about`. */
-static double derivative_at(const lag_instance *instance, size_t i, size_t order, double s)
-{
-    const size_t nu = instance->fmu->model->nu;
-    const double *c = instance->inputs.course + i;
-    double sum = 0.0;
-    for (size_t k = LAG_INPUT_ORDER; k > order; --k) {
-        sum = (sum + c[k * nu]) * s / (double)(k - order);
-    }
-    return c[order * nu] + sum;
-}
-
 void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u)
 {
-    for (size_t i = 0; i < instance->fmu->model->nu; ++i) {
-        u[i] = derivative_at(instance, i, order, t - instance->held.about);
+    const size_t nu = instance->fmu->model->nu;
+    const double s = t - instance->held.about;
+    for (size_t i = 0; i < nu; ++i) {
+        const double *c = instance->inputs.course + i;
+        double sum = 0.0;
+        for (size_t k = LAG_INPUT_ORDER; k > order; --k) {
+            sum = (sum + c[k * nu]) * s / (double)(k - order);
+        }
+        u[i] = c[order * nu] + sum;
     }
 }
 
@@ -62,14 +57,10 @@ void lag_instance_set_run_inputs(lag_instance *instance)
 /* The course of the inputs about the present, so that their values can be set there. */
 static void start_courses(lag_instance *instance)
 {
-    const size_t nu = instance->fmu->model->nu;
-    const double t = instance->held.t;
-    for (size_t order = 0; order < LAG_INPUT_ORDER && instance->run->motion.inputs != NULL; ++order) {
-        for (size_t i = 0; i < nu; ++i) {
-            instance->inputs.course[order * nu + i] = derivative_at(instance, i, order, t - instance->held.about);
-        }
+    for (size_t order = 0; order < LAG_INPUT_ORDER; ++order) { /* none needs those of lower order */
+        lag_instance_inputs_at(instance, order, instance->held.t, instance->inputs.course + order * instance->fmu->model->nu);
     }
-    instance->held.about = t;
+    instance->held.about = instance->held.t;
 }
 
 void lag_instance_chain_inputs(lag_instance *instance)
@@ -90,33 +81,28 @@ void lag_instance_chain_inputs(lag_instance *instance)
     lag_instance_set_run_inputs(instance);
 }
 
-void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first, size_t count, const double *values)
+lag_status lag_instance_set_input(lag_instance *instance, size_t variable, int order, const double *values)
 {
+    const lag_variable *which = &instance->fmu->variables[variable];
     lag_held *held = &instance->held;
-    double *course = instance->inputs.course + order * instance->fmu->model->nu + first;
-    for (size_t i = 0; i < count && order == 0; ++i) {
-        instance->inputs.given[first + i] = 1;
+    if (order > LAG_INPUT_ORDER) {
+        return lag_instance_fail(instance, LAG_MISSING, "derivatives of inputs can be set up to order %d", LAG_INPUT_ORDER);
+    }
+    double *course = instance->inputs.course + (size_t)order * instance->fmu->model->nu + which->first;
+    for (size_t i = 0; i < which->count && order == 0; ++i) {
+        instance->inputs.given[which->first + i] = 1;
     }
     if (!held->exchanged && held->left_at != held->t) {
         lag_instance_leave_inputs(instance);
     }
     start_courses(instance);
-    if (!lag_same(count, course, values)) {
-        memcpy(course, values, count * sizeof(double));
+    if (!lag_same(which->count, course, values)) {
+        lag_copy(which->count, values, course);
         held->jumped = 1;
         held->initialized = 0;
         instance->values.known = 0;
         lag_instance_set_run_inputs(instance);
     }
-}
-
-lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values)
-{
-    const lag_variable *which = &instance->fmu->variables[variable];
-    if (order > LAG_INPUT_ORDER) {
-        return lag_instance_fail(instance, LAG_MISSING, "derivatives of inputs can be set up to order %d", LAG_INPUT_ORDER);
-    }
-    lag_instance_set_inputs(instance, (size_t)order, which->first, which->count, values);
     return LAG_OK;
 }
 

@@ -8,6 +8,7 @@
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
+#include "lag/linalg/vector.h"
 #include "lag/serialization.h"
 
 static const double MOST_TOLERANCE = 0.1;
@@ -20,54 +21,45 @@ static const double RATE = 50.0;
 /* Invariants may depart by so many tolerances where the model does not say. */
 static const double INVARIANT = 1e3;
 
-/* Memory that is laid out; where there is none, it is counted. */
-typedef struct room {
-    double *memory;
-    size_t count;
-} room;
-
-static double *take(room *of, size_t count)
-{
-    double *start = of->memory != NULL ? of->memory + of->count : NULL;
-    of->count += count;
-    return start;
-}
-
-static void lay_out(lag_instance *instance, room *of)
+static void lay_out(lag_instance *instance, lag_layout *layout)
 {
     const lag_fmu *fmu = instance->fmu;
     const lag_model *model = fmu->model;
     const size_t size = lag_motion_size(model);
-    instance->kept = of->memory;
-    instance->x = take(of, size);
-    instance->p = take(of, model->np);
-    instance->starts.parameters = take(of, model->np);
-    instance->starts.values = take(of, size);
-    instance->starts.given = (unsigned char *)take(of, size);
-    instance->inputs.course = take(of, (LAG_INPUT_ORDER + 1) * model->nu);
-    instance->inputs.left = take(of, model->nu);
-    instance->inputs.given = (unsigned char *)take(of, model->nu);
-    instance->latched = take(of, lag_guard_count(model));
-    instance->armed = take(of, lag_guard_count(model));
-    instance->offsets = take(of, fmu->dependents.count);
-    instance->kept_count = of->count;
-    instance->values.g = take(of, fmu->indicators.count);
-    instance->values.xd = take(of, size);
-    instance->values.y = take(of, model->ny);
-    instance->values.local = take(of, model->nd);
-    instance->values.unasked = take(of, model->nc);
-    instance->scratch = take(of, lag_fixed_memory(size) + 3 * size + 2 * model->np + model->nu + model->nw + model->ny + model->nd + 3);
-    instance->invariant_limits = take(of, model->ni);
-    instance->warnings = take(of, model->na + model->nfail);
+    lag_values *values = &instance->values;
+    instance->kept = layout->memory;
+    lag_lay_all(layout, size, (double **const[]){&instance->x, &instance->starts.values, NULL});
+    lag_lay_all(layout, model->np, (double **const[]){&instance->p, &instance->starts.parameters, NULL});
+    instance->starts.given = (unsigned char *)lag_lay(layout, size);
+    instance->inputs.course = lag_lay(layout, (LAG_INPUT_ORDER + 1) * model->nu);
+    instance->inputs.left = lag_lay(layout, model->nu);
+    instance->inputs.given = (unsigned char *)lag_lay(layout, model->nu);
+    lag_lay_all(layout, lag_guard_count(model), (double **const[]){&instance->latched, &instance->armed, NULL});
+    instance->offsets = lag_lay(layout, fmu->dependents.count);
+    instance->invariant_limits = lag_lay(layout, model->ni);
+    instance->kept_count = layout->count;
+    values->of[LAG_ROLE_TIME] = &instance->held.t;
+    values->of[LAG_ROLE_PARAMETER] = values->of[LAG_ROLE_FREE] = instance->p;
+    values->of[LAG_ROLE_STATE] = values->of[LAG_ROLE_DEPENDENT] = instance->x;
+    values->of[LAG_ROLE_DERIVATIVE] = lag_lay(layout, size);
+    values->of[LAG_ROLE_OUTPUT] = lag_lay(layout, model->ny);
+    values->of[LAG_ROLE_LOCAL] = lag_lay(layout, model->nd);
+    values->of[LAG_ROLE_INDICATOR] = lag_lay(layout, fmu->indicators.count);
+    values->of[LAG_ROLE_ENERGY] = values->energy;
+    values->of[LAG_ROLE_RESIDUAL] = values->residual;
+    values->of[LAG_ROLE_OPTION] = &instance->held.step;
+    values->unasked = lag_lay(layout, model->nc);
+    instance->scratch = lag_lay(layout, lag_fixed_memory(size) + 3 * size + 2 * model->np + model->nu + model->nw + model->ny + model->nd + 3);
+    instance->warnings = lag_lay(layout, model->na + model->nfail);
 }
 
 /* Bytes up to those of the run. */
 static size_t own_size(const lag_fmu *fmu)
 {
     lag_instance none = {.fmu = fmu};
-    room of = {NULL, lag_derivatives_memory(fmu->model)};
-    lay_out(&none, &of);
-    return lag_padded(sizeof(lag_instance)) + lag_padded(of.count * sizeof(double));
+    lag_layout layout = {NULL, lag_derivatives_memory(fmu->model)};
+    lay_out(&none, &layout);
+    return lag_padded(sizeof(lag_instance)) + lag_padded(layout.count * sizeof(double));
 }
 
 /* The words of a `terminate` are the message of the end; warnings are kept. */
@@ -110,45 +102,24 @@ size_t lag_instance_size(const lag_fmu *fmu)
     return own_size(fmu) + lag_run_size(fmu->model, &options);
 }
 
-/* The arrays of all roles. */
-static void list_values(lag_instance *instance)
-{
-    lag_values *values = &instance->values;
-    const lag_motion *motion = &instance->run->motion;
-    values->of[LAG_ROLE_TIME] = &instance->held.t;
-    values->of[LAG_ROLE_PARAMETER] = instance->p;
-    values->of[LAG_ROLE_CONSTANT] = instance->fmu->constants.numbers;
-    values->of[LAG_ROLE_STATE] = values->of[LAG_ROLE_DEPENDENT] = instance->x;
-    values->of[LAG_ROLE_DERIVATIVE] = values->xd;
-    values->of[LAG_ROLE_INPUT] = motion->u;
-    values->of[LAG_ROLE_OUTPUT] = values->y;
-    values->of[LAG_ROLE_LOCAL] = values->local;
-    values->of[LAG_ROLE_DISCRETE] = motion->w;
-    values->of[LAG_ROLE_MULTIPLIER] = motion->lam;
-    values->of[LAG_ROLE_INDICATOR] = values->g;
-    values->of[LAG_ROLE_ENERGY] = values->energy;
-    values->of[LAG_ROLE_RESIDUAL] = values->residual;
-    values->of[LAG_ROLE_OPTION] = &instance->held.step;
-}
-
 lag_instance *lag_instance_place(void *block, const lag_fmu *fmu)
 {
     const lag_model *model = fmu->model;
     char *bytes = block;
     lag_instance *instance = block;
     const size_t size = own_size(fmu);
-    room of = {(double *)(void *)(bytes + lag_padded(sizeof(lag_instance))), 0};
+    lag_layout layout = {(double *)(void *)(bytes + lag_padded(sizeof(lag_instance))), 0};
     memset(block, 0, size);
     instance->fmu = fmu;
-    lay_out(instance, &of);
-    lag_derivatives_place(&instance->derivatives, model, take(&of, lag_derivatives_memory(model)));
+    lay_out(instance, &layout);
+    lag_derivatives_place(&instance->derivatives, model, lag_lay(&layout, lag_derivatives_memory(model)));
     instance->run = (lag_run *)(void *)(bytes + size);
-    if (model->np > 0) {
-        memcpy(instance->p, model->defaults, model->np * sizeof(double));
-        memcpy(instance->starts.parameters, model->defaults, model->np * sizeof(double));
-    }
+    lag_copy(model->np, model->defaults, instance->p);
+    lag_copy(model->np, model->defaults, instance->starts.parameters);
     lag_instance_setup(instance, LAG_NO_KIND, fmu->experiment.start, (double)INFINITY, 0.0);
-    list_values(instance);
+    instance->values.of[LAG_ROLE_INPUT] = instance->run->motion.u;
+    instance->values.of[LAG_ROLE_DISCRETE] = instance->run->motion.w;
+    instance->values.of[LAG_ROLE_MULTIPLIER] = instance->run->motion.lam;
     return instance;
 }
 
@@ -188,7 +159,7 @@ void lag_instance_setup(lag_instance *instance, lag_kinds kind, double start, do
 
 /* ---- state ---- */
 
-/* All but the state of the run, with its settings; `instance` is changed only where the record is read from. */
+/* Everything, with the settings of the run; `instance` is changed only where the record is read from. */
 static void walk(lag_instance *instance, lag_record *record)
 {
     lag_run_options *options = &instance->run->options;
@@ -196,33 +167,25 @@ static void walk(lag_instance *instance, lag_record *record)
     lag_record_doubles(record, instance->kept_count, instance->kept);
     lag_record_doubles(record, 1, &options->tolerance);
     lag_record_doubles(record, 1, &options->length);
-}
-
-static size_t own_bytes(const lag_instance *instance)
-{
-    return sizeof(lag_held) + (instance->kept_count + 2) * sizeof(double);
+    lag_run_record(instance->run, record);
 }
 
 size_t lag_instance_saved_size(const lag_instance *instance)
 {
-    return own_bytes(instance) + lag_run_saved_size(instance->fmu->model, &instance->run->options);
+    lag_record counted = {NULL, NULL, 0};
+    walk((lag_instance *)instance, &counted);
+    return counted.count;
 }
 
 void lag_instance_save(const lag_instance *instance, unsigned char *bytes)
 {
     walk((lag_instance *)instance, &(lag_record){bytes, NULL, 0});
-    lag_run_save(instance->run, bytes + own_bytes(instance));
 }
 
 lag_status lag_instance_load(lag_instance *instance, const unsigned char *bytes)
 {
-    lag_motion *motion = &instance->run->motion;
-    lag_status status = lag_run_load(instance->run, bytes + own_bytes(instance));
-    if (status == LAG_OK) {
-        walk(instance, &(lag_record){NULL, bytes, 0});
-        status = motion->at.p != NULL ? lag_motion_parameters(motion, motion->at.p) : LAG_OK;
-        instance->values.known = 0;
-        lag_instance_set_run_inputs(instance);
-    }
-    return lag_instance_judge(instance, status);
+    walk(instance, &(lag_record){NULL, bytes, 0});
+    instance->values.known = 0;
+    lag_instance_set_run_inputs(instance);
+    return lag_instance_judge(instance, lag_motion_prepare(&instance->run->motion));
 }

@@ -40,18 +40,18 @@ typedef struct lag_known {
 size_t lag_instance_size(const lag_fmu *fmu);
 lag_instance *lag_instance_place(void *block, const lag_fmu *fmu);
 const char *lag_instance_message(const lag_instance *instance);
+/* Says a failure in the words of the runtime and returns it; LAG_OK and LAG_STOPPED stay. */
+lag_status lag_instance_judge(lag_instance *instance, lag_status status);
 /* The next message of an assertion that warns, each once; null: there is none. */
 const char *lag_instance_warning(lag_instance *instance);
 
 /* ---- variables: values of one variable, (count) of it; Booleans are 0 and 1, Integers whole numbers ---- */
 
-/* True if the variable is a free parameter: initialization solves for it, from the value that was set as a guess. */
-int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable);
 lag_status lag_instance_get(lag_instance *instance, size_t variable, double *values);
 /* Finite values of the type of the variable and within its range, where the moment allows that: all this is the caller's to check. */
 lag_status lag_instance_set(lag_instance *instance, size_t variable, const double *values);
-/* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2). */
-lag_status lag_instance_set_input_derivative(lag_instance *instance, size_t variable, int order, const double *values);
+/* Inputs become polynomials in time about the present: `order` 1 is the first derivative (co-simulation, FMI 2), 0 the value. */
+lag_status lag_instance_set_input(lag_instance *instance, size_t variable, int order, const double *values);
 
 /* ---- initialization ---- */
 
@@ -72,9 +72,8 @@ lag_status lag_instance_terminate(lag_instance *instance);
 
 void lag_instance_set_time(lag_instance *instance, double t);
 void lag_instance_set_states(lag_instance *instance, const double *x);
-void lag_instance_states(const lag_instance *instance, double *x);
-lag_status lag_instance_derivatives(lag_instance *instance, double *xd);
-lag_status lag_instance_indicators(lag_instance *instance, double *g);
+/* The states, their derivatives, or all event indicators. */
+lag_status lag_instance_vector(lag_instance *instance, lag_role role, double *values);
 /* Event mode: what has changed since the last event is found anew and carried out, with what follows from it. */
 lag_status lag_instance_update(lag_instance *instance, lag_update *told);
 /* After an accepted step of the importer: *events 1: the constraints are off by more than the tolerance. */
@@ -90,15 +89,11 @@ enum {
 
 /* From the present time over `h`; `stops`: a sum of these. */
 lag_status lag_instance_step(lag_instance *instance, double h, int stops, lag_progress *told);
-/* LAG_TOO_LONG, and says so. */
-lag_status lag_instance_give_up(lag_instance *instance);
 
 /* ---- clocks ---- */
 
-/* Period [s] of a clock, and the time from the start to its first tick. */
-lag_status lag_instance_clock(lag_instance *instance, size_t which, double *period, double *shift);
-/* LAG_MISSING: the clock does not tick at the present. It ticks by itself in the next update. */
-lag_status lag_instance_tick(lag_instance *instance, size_t which);
+/* Period [s] of a clock, and its first tick from time t on, but for round-off. It ticks by itself. */
+lag_status lag_instance_clock(lag_instance *instance, size_t which, double t, double *period, double *tick);
 
 /* ---- derivatives ---- */
 

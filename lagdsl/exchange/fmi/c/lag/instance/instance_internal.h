@@ -14,6 +14,8 @@ enum { LAG_INPUT_ORDER = 3 };
 enum { LAG_MESSAGE = 512 };
 
 enum { LAG_ROLES = LAG_ROLE_CLOCK + 1 };
+/* Of a set of roles. */
+#define LAG_BIT(ROLE) (1U << LAG_ROLE_##ROLE)
 
 /*
  * Values that follow from the present state are known by role: with multipliers go the accelerations of the model, in run->motion; those among
@@ -58,8 +60,7 @@ typedef struct lag_input_courses {
 /* Values of variables; those that follow from the present state as far as they are known. */
 typedef struct lag_values {
     unsigned known; /* one bit for each role */
-    const double *of[LAG_ROLES]; /* arrays of all roles but clocks */
-    double *xd, *y, *local, *g;  /* (2 nq + nz) (ny) (nd) (indicators) */
+    double *of[LAG_ROLES];      /* arrays of all roles but constants and clocks */
     double *unasked;            /* (nc) multipliers of accelerations that are pulled */
     double energy[4], residual[2];
     double slip;                /* the largest residual of rates, each as a part of the rates of its component */
@@ -69,7 +70,7 @@ struct lag_instance {
     const lag_fmu *fmu;
     lag_run *run;
     lag_held held;
-    double *kept;           /* (kept_count) the arrays that follow up to `offsets` */
+    double *kept;           /* (kept_count) the arrays that follow up to `invariant_limits` */
     size_t kept_count;
     double *x;              /* (2 nq + nz) */
     double *p;              /* (np) those of the motion, found ones among them */
@@ -78,9 +79,9 @@ struct lag_instance {
     double *latched;        /* (guards) so far behind zero a guard that is not armed may go */
     double *armed;          /* (guards) time from which on it is armed; infinite: not yet */
     double *offsets;        /* (ndependent) constant parts of dependent coordinates, until the next event */
+    double *invariant_limits; /* (ni) */
     lag_values values;
     lag_derivatives derivatives;
-    double *invariant_limits; /* (ni) */
     double *warnings;         /* (na + nfail) 1: to be told */
     double *scratch;          /* of one call: states, and what their derivatives or a step of fixed length need */
     char message[LAG_MESSAGE];
@@ -104,13 +105,9 @@ void lag_instance_follow_states(const lag_fmu *fmu, const double *offsets, doubl
 
 /* Says what went wrong and returns it. `format` as that of printf. */
 lag_status lag_instance_fail(lag_instance *instance, lag_status status, const char *format, ...);
-/* The same in the words of the runtime; LAG_OK stays. */
-lag_status lag_instance_judge(lag_instance *instance, lag_status status);
 
 /* ---- instance_start.c ---- */
 
-/* In the start phase: the state that follows from what was set, with what happens there. */
-lag_status lag_instance_begin_at(lag_instance *instance);
 /* Change of the start along the direction in `derivatives`, written into its states. */
 lag_status lag_instance_start_slopes(lag_instance *instance);
 
@@ -118,8 +115,8 @@ lag_status lag_instance_start_slopes(lag_instance *instance);
 
 /* Lets the values of a role be known, or what derivatives need. */
 lag_status lag_instance_evaluate(lag_instance *instance, unsigned role);
-/* LAG_VIOLATED: an assertion does not hold at x at time t. Invariants begin anew: steps of importers, and of fixed length, have errors of their own. */
-lag_status lag_instance_assert(lag_instance *instance, double t, const double *x);
+/* LAG_VIOLATED: an assertion does not hold now. Invariants begin anew: steps of importers, and of fixed length, have errors of their own. */
+lag_status lag_instance_assert(lag_instance *instance);
 /* By this factor the value of a variable is that of the model. */
 double lag_instance_factor(const lag_instance *instance, lag_role role, size_t index);
 
@@ -127,8 +124,6 @@ double lag_instance_factor(const lag_instance *instance, lag_role role, size_t i
 
 /* The inputs at time t, or their derivatives of this order, into u. */
 void lag_instance_inputs_at(const lag_instance *instance, size_t order, double t, double *u);
-/* Derivative number `order` of so many inputs at the present; 0: their values. */
-void lag_instance_set_inputs(lag_instance *instance, size_t order, size_t first, size_t count, const double *values);
 /* Inputs whose derivatives are inputs, too, go as these say. */
 void lag_instance_chain_inputs(lag_instance *instance);
 /* The run knows the inputs. */

@@ -20,20 +20,6 @@ lag_status lag_instance_fail(lag_instance *instance, lag_status status, const ch
     return status;
 }
 
-/* Name of the state that has placed a mass elsewhere, as a clause has set it; null: no clause has. */
-static const char *displacing(const lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    const lag_run *run = instance->run;
-    for (size_t i = 0; i < model->nreset; ++i) {
-        const size_t place = model->reset_places[i];
-        if (place >= 2 * model->nq && run->stepper.x[place] != run->instants.instant.from[place]) {
-            return model->resets[i];
-        }
-    }
-    return NULL;
-}
-
 /* The rows of friction, into `names`. */
 static const char *frictions(const lag_model *model, char *names)
 {
@@ -45,23 +31,22 @@ static const char *frictions(const lag_model *model, char *names)
     return names;
 }
 
-/* Of this list of names what is to blame; `room` (LAG_MESSAGE) is for several. Entries are those that an event could not settle. */
+/* Of this list of names what is to blame; `room` (LAG_MESSAGE) is for several. */
 static const char *name_of(const lag_instance *instance, lag_status status, char *room)
 {
     const lag_model *model = instance->fmu->model;
-    const size_t entry = lag_first(model->nw, instance->run->instants.discretes.guilty);
-    const char *displaced = status == LAG_WAY_JUMP ? displacing(instance) : NULL;
     lag_fault fault = {.which = 0};
     if (LAG_WORDS[status].blamed != LAG_BLAMED_NOTHING) {
         lag_run_explain(instance->run, status, &fault);
     }
+    const size_t reset = fault.which - model->nw;
     switch (LAG_WORDS[status].blamed) {
     case LAG_BLAMED_COORDINATES:
         return fault.which < model->nq ? model->coordinates[fault.which].name : "the model";
     case LAG_BLAMED_ROWS:
         return fault.which < model->nc ? model->constraints[fault.which].name : "the model";
     case LAG_BLAMED_ENTRIES:
-        return displaced != NULL ? displaced : entry < model->nw ? model->discretes[entry].name : "the model";
+        return fault.which < model->nw ? model->discretes[fault.which].name : reset < model->nreset ? model->resets[reset] : "the model";
     case LAG_BLAMED_RESETS:
         return model->resets[fault.which];
     case LAG_BLAMED_CHECKS:
@@ -96,9 +81,4 @@ lag_status lag_instance_judge(lag_instance *instance, lag_status status)
     }
     (void)snprintf(told, sizeof told, LAG_WORDS[status].words, name_of(instance, status, room));
     return lag_instance_fail(instance, status, "t = %.10g s: %s", instance->held.t, told);
-}
-
-lag_status lag_instance_give_up(lag_instance *instance)
-{
-    return lag_instance_judge(instance, LAG_TOO_LONG);
 }

@@ -16,22 +16,17 @@ static const double WEIGHT[POINTS] = {-1.0 / 6.0, 1.0 / 6.0, 4.0 / 3.0, -4.0 / 3
 static const double DISTANCE = 1e-3;
 static const double SMALLEST = 1e-2;
 
-int lag_instance_is_free(const lag_instance *instance, const lag_variable *variable)
+/* True if every value that the start depends on is as it was at export, where x was found; `own`: inputs are. Free parameters are searched anew. */
+static int is_exported(const lag_instance *instance, int own, double *x)
 {
-    const unsigned char *free = instance->fmu->start->free;
-    return variable->role == LAG_ROLE_PARAMETER && free != NULL && free[variable->first] != 0;
-}
-
-/* True if every value that the start depends on is as it was at export; `own`: inputs are. Free parameters are searched anew. */
-static int as_exported(const lag_instance *instance, int own)
-{
-    const lag_fmu *fmu = instance->fmu;
-    const lag_model *model = fmu->model;
-    int same = fmu->start->x != NULL && fmu->start->free == NULL && fmu->start->t == instance->held.t && (own || model->nc + model->ne == 0);
+    const lag_start *start = instance->fmu->start;
+    const lag_model *model = instance->fmu->model;
+    int same = start->x != NULL && start->free == NULL && start->t == instance->held.t && (own || model->nc + model->ne == 0);
     same = same && lag_same(model->np, instance->p, model->defaults);
     for (size_t i = 0; i < lag_motion_size(model) && same; ++i) {
-        same = !instance->starts.given[i] || instance->starts.values[i] == fmu->start->x[i];
+        same = !instance->starts.given[i] || instance->starts.values[i] == start->x[i];
     }
+    lag_copy(same ? lag_motion_size(model) : 0, start->x, x);
     return same;
 }
 
@@ -90,7 +85,7 @@ static const char *const FAULTS[] = {
 /* The start into x (2 nq + nz), so far `along` the direction, from the parameters told->p (np); inputs of the run are those there. */
 static lag_status find_start(lag_instance *instance, double along, double *x, lag_initial *told)
 {
-    const lag_fmu *fmu = instance->fmu;
+    const lag_model *model = instance->fmu->model;
     lag_run *run = instance->run;
     int own = 1;
     run->motion.inputs = NULL; /* they are constant here */
@@ -99,42 +94,51 @@ static lag_status find_start(lag_instance *instance, double along, double *x, la
     if (status != LAG_OK) {
         return lag_instance_judge(instance, status);
     }
-    if (along == 0.0 && as_exported(instance, own)) {
-        memcpy(x, fmu->start->x, lag_motion_size(instance->fmu->model) * sizeof(double));
-    } else if (fmu->model->nc + fmu->model->ne > 0) {
+    if (!(along == 0.0 && is_exported(instance, own, x)) && model->nc + model->ne > 0) {
         status = lag_run_find(run, instance->held.t + along * instance->derivatives.time, instance->starts.given, x, told);
     }
     if (told->fault == LAG_INITIAL_NONE) {
         return lag_instance_judge(instance, status);
     }
-    return lag_instance_fail(instance, status, FAULTS[told->fault], blamed(fmu->model, told), told->residual);
+    return lag_instance_fail(instance, status, FAULTS[told->fault], blamed(model, told), told->residual);
 }
 
-lag_status lag_instance_begin_at(lag_instance *instance)
+/* The state that follows from what was set, with what happens there. */
+static lag_status start(lag_instance *instance)
 {
     lag_held *held = &instance->held;
     lag_run *run = instance->run;
     const lag_model *model = instance->fmu->model;
     lag_instance_renew(instance);
     held->jumped = held->prepared = 1;
-    lag_turns_clear(&run->turns);
     held->stopped = 0;
-    held->left_at = run->counts.begun = held->t;
+    held->left_at = held->t;
     held->left_for = 0.0;
     held->implicit = -1;
     lag_initial told = {.dependent = run->ranks.dependent, .p = instance->p};
-    memcpy(instance->p, instance->starts.parameters, model->np * sizeof(double)); /* free ones are searched from there */
+    lag_copy(model->np, instance->starts.parameters, instance->p); /* free ones are searched from there */
     lag_status status = find_start(instance, 0.0, instance->x, &told);
     memcpy(instance->inputs.course, run->motion.u, model->nu * sizeof(double));
     lag_instance_set_run_inputs(instance);
     if (status != LAG_OK) {
         return status;
     }
-    status = lag_run_move(run, held->t, instance->x, 0.0);
-    status = status == LAG_OK ? lag_instance_leave_event(instance, lag_run_enter(run)) : status;
-    status = status == LAG_OK ? lag_instance_assert(instance, held->t, instance->x) : status;
+    status = lag_instance_leave_event(instance, lag_run_begin(run, held->t, instance->x));
     held->initialized = status == LAG_OK;
     return lag_instance_judge(instance, status);
+}
+
+lag_status lag_instance_ready(lag_instance *instance)
+{
+    lag_held *held = &instance->held;
+    if (!held->moving && !held->initialized) {
+        return start(instance);
+    }
+    if (!held->prepared) {
+        held->prepared = 1;
+        return lag_instance_judge(instance, lag_motion_parameters(&instance->run->motion, instance->p));
+    }
+    return LAG_OK;
 }
 
 lag_status lag_instance_begin(lag_instance *instance)

@@ -9,19 +9,12 @@
 #include <string.h>
 
 #include "lag/linalg/finite.h"
+#include "lag/linalg/vector.h"
 
-lag_status lag_instance_ready(lag_instance *instance)
-{
-    lag_held *held = &instance->held;
-    if (!held->moving && !held->initialized) {
-        return lag_instance_begin_at(instance);
-    }
-    if (!held->prepared) {
-        held->prepared = 1;
-        return lag_instance_judge(instance, lag_motion_parameters(&instance->run->motion, instance->p));
-    }
-    return LAG_OK;
-}
+/* Roles of values that are there before a motion begins, and from then on; of numbers that only a motion gone wrong lets be none. */
+static const unsigned PLAIN = LAG_BIT(TIME) | LAG_BIT(CONSTANT) | LAG_BIT(OPTION) | LAG_BIT(PARAMETER);
+static const unsigned STORED = LAG_BIT(STATE) | LAG_BIT(DEPENDENT) | LAG_BIT(INPUT) | LAG_BIT(DISCRETE) | LAG_BIT(FREE);
+static const unsigned MOVED = LAG_BIT(STATE) | LAG_BIT(DEPENDENT) | LAG_BIT(DERIVATIVE) | LAG_BIT(INPUT) | LAG_BIT(MULTIPLIER);
 
 /* Accelerations of the model, also for states off its constraints; in co-simulation those of rows. */
 static lag_status accelerations(lag_instance *instance)
@@ -44,7 +37,7 @@ static lag_status rates(lag_instance *instance)
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
     const size_t n = model->nq;
-    double *xd = instance->values.xd;
+    double *xd = instance->values.of[LAG_ROLE_DERIVATIVE];
     lag_status status = LAG_OK;
     memcpy(xd, instance->x + n, n * sizeof(double));
     if (model->nc > 0) {
@@ -55,7 +48,7 @@ static lag_status rates(lag_instance *instance)
     if (status == LAG_OK && model->nz > 0) {
         status = model->state_derivative(&motion->at, xd + 2 * n);
     }
-    return status == LAG_OK && !lag_finite(lag_motion_size(model), instance->values.xd) ? LAG_NOT_FINITE : status;
+    return status == LAG_OK && !lag_finite(lag_motion_size(model), xd) ? LAG_NOT_FINITE : status;
 }
 
 /* The largest residuals of positions and of velocities, rows of size one. */
@@ -79,31 +72,24 @@ static lag_status residuals(lag_instance *instance)
     return status;
 }
 
-static lag_status outputs(lag_instance *instance)
-{
-    const lag_model *model = instance->fmu->model;
-    const lag_status status = model->ny > 0 ? model->output(&instance->run->motion.at, instance->values.y) : LAG_OK;
-    if (status == LAG_OK) {
-        lag_run_unwind(instance->run, instance->values.y);
-    }
-    return status;
-}
-
 /* The values of one role; what they need is known. */
 static lag_status find(lag_instance *instance, unsigned role)
 {
     const lag_model *model = instance->fmu->model;
     lag_motion *motion = &instance->run->motion;
     double *energy = instance->values.energy;
+    lag_status status = LAG_OK;
     switch (role) {
     case LAG_ROLE_MULTIPLIER:
         return accelerations(instance);
     case LAG_ROLE_DERIVATIVE:
         return rates(instance);
     case LAG_ROLE_OUTPUT:
-        return outputs(instance);
+        status = model->output(&motion->at, instance->values.of[role]);
+        lag_run_unwind(instance->run, instance->values.of[role]);
+        return status;
     case LAG_ROLE_LOCAL:
-        return model->nd > 0 ? model->definition(&motion->at, instance->values.local) : LAG_OK;
+        return model->definition(&motion->at, instance->values.of[role]);
     case LAG_ROLE_ENERGY:
         return model->energies(&motion->at, &energy[0], &energy[1], &energy[2], &energy[3]);
     case LAG_ROLE_RESIDUAL:
@@ -123,7 +109,7 @@ lag_status lag_instance_evaluate(lag_instance *instance, unsigned role)
     /* pulled accelerations need those of the model only where loads follow from these */
     const int needs_motion = role != LAG_ROLE_MULTIPLIER && (role != LAG_ROLE_DERIVATIVE || model->nc == 0 || model->nz + model->nload > 0);
     lag_status status = lag_instance_ready(instance);
-    if (status != LAG_OK || (instance->values.known & 1U << role) != 0) {
+    if (status != LAG_OK || ((instance->values.known | STORED) & 1U << role) != 0) {
         return status;
     }
     status = needs_motion ? lag_instance_evaluate(instance, LAG_ROLE_MULTIPLIER) : LAG_OK;
@@ -133,31 +119,19 @@ lag_status lag_instance_evaluate(lag_instance *instance, unsigned role)
     return status;
 }
 
-lag_status lag_instance_assert(lag_instance *instance, double t, const double *x)
+lag_status lag_instance_assert(lag_instance *instance)
 {
     instance->run->conditions.begun = 0;
     instance->values.known = 0;
-    return instance->fmu->model->na > 0 ? lag_run_watch(instance->run, t, x, NULL) : LAG_OK;
+    return instance->fmu->model->na > 0 ? lag_run_watch(instance->run, instance->held.t, instance->x, NULL) : LAG_OK;
 }
 
 /* ---- values ---- */
 
-/* 1: entries of x. */
-static int is_state(lag_role role)
-{
-    return role == LAG_ROLE_STATE || role == LAG_ROLE_DEPENDENT;
-}
-
-/* Numbers that only a motion gone wrong lets be none. */
-static int is_motion(lag_role role)
-{
-    return is_state(role) || role == LAG_ROLE_DERIVATIVE || role == LAG_ROLE_INPUT || role == LAG_ROLE_MULTIPLIER;
-}
-
 /* LAG_NOT_FINITE: a value of the motion that is none, or a whole number that an importer has no room for. */
 static lag_status check_found(lag_instance *instance, const lag_variable *variable, const double *values)
 {
-    const int motion = is_motion((lag_role)variable->role);
+    const int motion = (MOVED & 1U << variable->role) != 0;
     const int whole = variable->type == LAG_TYPE_INTEGER;
     for (size_t i = 0; i < variable->count; ++i) {
         if ((motion && !isfinite(values[i])) || (whole && !(fabs(values[i]) <= (double)INT32_MAX))) {
@@ -179,14 +153,13 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 {
     const lag_variable *which = &instance->fmu->variables[variable];
     const lag_role role = (lag_role)which->role;
-    const int plain = role == LAG_ROLE_TIME || role == LAG_ROLE_CONSTANT || role == LAG_ROLE_OPTION || role == LAG_ROLE_PARAMETER;
-    const int held = is_state(role) || role == LAG_ROLE_INPUT || role == LAG_ROLE_DISCRETE || lag_instance_is_free(instance, which);
-    const lag_status status = held ? lag_instance_ready(instance) : plain ? LAG_OK : lag_instance_evaluate(instance, role);
+    const double *found = role == LAG_ROLE_CONSTANT ? instance->fmu->constants.numbers : instance->values.of[role];
+    const lag_status status = (PLAIN & 1U << role) != 0 ? LAG_OK : lag_instance_evaluate(instance, role);
     if (role == LAG_ROLE_INPUT) { /* the motion may have looked at them elsewhere in time */
         lag_instance_inputs_at(instance, 0, instance->held.t, instance->run->motion.u);
     }
     for (size_t i = 0; i < which->count && status == LAG_OK; ++i) {
-        values[i] = instance->values.of[role][which->first + i] * lag_instance_factor(instance, role, which->first + i);
+        values[i] = found[which->first + i] * lag_instance_factor(instance, role, which->first + i);
     }
     return status == LAG_OK ? check_found(instance, which, values) : status;
 }
@@ -196,11 +169,8 @@ lag_status lag_instance_get(lag_instance *instance, size_t variable, double *val
 /* 1: something changed. */
 static int put(size_t count, const double *values, double *array)
 {
-    int changed = 0;
-    for (size_t i = 0; i < count; ++i) {
-        changed = changed || array[i] != values[i];
-        array[i] = values[i];
-    }
+    const int changed = !lag_same(count, array, values);
+    lag_copy(count, values, array);
     return changed;
 }
 
@@ -228,6 +198,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
     int changed = 0;
     switch ((lag_role)which->role) {
     case LAG_ROLE_PARAMETER:
+    case LAG_ROLE_FREE:
         changed = put(which->count, values, instance->starts.parameters + which->first);
         changed = put(which->count, values, instance->p + which->first) || changed;
         held->prepared = held->prepared && !changed;
@@ -237,8 +208,7 @@ lag_status lag_instance_set(lag_instance *instance, size_t variable, const doubl
         changed = put_states(instance, which, values);
         break;
     case LAG_ROLE_INPUT:
-        lag_instance_set_inputs(instance, 0, which->first, which->count, values);
-        return LAG_OK;
+        return lag_instance_set_input(instance, variable, 0, values);
     case LAG_ROLE_OPTION:
         changed = put(1, values, &held->step);
         held->implicit = -1;

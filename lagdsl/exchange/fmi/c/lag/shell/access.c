@@ -9,25 +9,41 @@ static const char *type_name(lag_type type)
     return names[type];
 }
 
-int lag_shell_consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count)
+const lag_variable *lag_shell_variable(lag_shell *shell, uint32_t reference)
 {
-    if (lag_shell_lacks(shell, n > 0 && references == NULL, "the array of value references") ||
-        lag_shell_lacks(shell, count > 0 && values == NULL, "the array of values")) {
+    if (reference >= shell->fmu->nvariable) {
+        (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)reference);
+        return NULL;
+    }
+    return &shell->fmu->variables[reference];
+}
+
+int lag_shell_count(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, size_t *count)
+{
+    *count = 0;
+    if (lag_shell_lacks(shell, n > 0 && references == NULL, "the array of value references")) {
         return 0;
     }
-    size_t total = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (references[i] >= shell->fmu->nvariable) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)references[i]);
+        const lag_variable *variable = lag_shell_variable(shell, references[i]);
+        if (variable == NULL) {
             return 0;
         }
-        const lag_variable *variable = &shell->fmu->variables[references[i]];
         if (variable->type != (unsigned char)type) {
             (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is %s, not %s", variable->name, type_name((lag_type)variable->type),
                 type_name(type));
             return 0;
         }
-        total += variable->count;
+        *count += variable->count;
+    }
+    return 1;
+}
+
+int lag_shell_consistent(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count)
+{
+    size_t total = 0;
+    if (!lag_shell_count(shell, type, references, n, &total) || lag_shell_lacks(shell, count > 0 && values == NULL, "the array of values")) {
+        return 0;
     }
     if (total != count) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "room for %lu values, where these variables have %lu", (unsigned long)count,
@@ -55,22 +71,14 @@ static int plain(lag_role role)
 
 lag_answer lag_shell_initialized(lag_shell *shell)
 {
-    if (shell->now.mode != LAG_MODE_INITIALIZATION || !shell->now.stale) {
-        return LAG_ANSWER_OK;
-    }
-    const lag_status status = lag_instance_ready(shell->instance);
-    shell->now.stale = status != LAG_OK;
-    return lag_shell_refused(shell, status);
+    return shell->now.mode != LAG_MODE_INITIALIZATION ? LAG_ANSWER_OK : lag_shell_refused(shell, lag_instance_ready(shell->instance));
 }
 
 static lag_answer ready(lag_shell *shell, uint32_t reference)
 {
     const lag_variable *variable = &shell->fmu->variables[reference];
     const lag_role role = (lag_role)variable->role;
-    if (lag_instance_is_free(shell->instance, variable)) {
-        return lag_shell_initialized(shell);
-    }
-    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE && role != LAG_ROLE_DEPENDENT) {
+    if (shell->now.mode == LAG_MODE_INSTANTIATED && !plain(role) && role != LAG_ROLE_STATE && role != LAG_ROLE_DEPENDENT && role != LAG_ROLE_FREE) {
         return lag_shell_say(shell, LAG_ANSWER_ERROR, "the value of %s is known from initialization mode on", variable->name);
     }
     return plain(role) ? LAG_ANSWER_OK : lag_shell_initialized(shell);
@@ -174,7 +182,7 @@ static int within(lag_shell *shell, const lag_variable *variable, size_t i, doub
 {
     const lag_fmu *fmu = shell->fmu;
     const int is_input = variable->role == LAG_ROLE_INPUT;
-    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER ? fmu->parameter_range : NULL;
+    const lag_range *ranges = is_input ? fmu->inputs.range : variable->role == LAG_ROLE_PARAMETER || variable->role == LAG_ROLE_FREE ? fmu->parameter_range : NULL;
     const size_t entry = variable->first + i;
     if (!isfinite(value)) {
         (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "the value for %s is infinite or not a number", variable->name);
@@ -232,7 +240,6 @@ lag_answer lag_shell_set(
         if (status != LAG_OK) {
             return lag_shell_refused(shell, status);
         }
-        shell->now.stale = 1;
         place += width;
     }
     return answer;
@@ -272,7 +279,7 @@ lag_answer lag_shell_set_input_derivatives(lag_shell *shell, const uint32_t *ref
         }
     }
     for (size_t i = 0; i < n; ++i) {
-        const lag_status status = lag_instance_set_input_derivative(shell->instance, references[i], orders[i], &values[i]);
+        const lag_status status = lag_instance_set_input(shell->instance, references[i], orders[i], &values[i]);
         if (status != LAG_OK) {
             return lag_shell_refused(shell, status);
         }

@@ -1,24 +1,6 @@
 /* Directional and adjoint derivatives, and those in time: references become entries of variables. */
 #include "lag/shell/shell.h"
 
-/* Counts the entries of these variables; all must be real. */
-static int entries(lag_shell *shell, const uint32_t *references, size_t n, size_t *count)
-{
-    *count = 0;
-    for (size_t i = 0; i < n; ++i) {
-        if (references[i] >= shell->fmu->nvariable) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "there is no variable with value reference %lu", (unsigned long)references[i]);
-            return 0;
-        }
-        if (shell->fmu->variables[references[i]].type != LAG_TYPE_REAL) {
-            (void)lag_shell_say(shell, LAG_ANSWER_ERROR, "%s is no real variable: it has no derivatives", shell->fmu->variables[references[i]].name);
-            return 0;
-        }
-        *count += shell->fmu->variables[references[i]].count;
-    }
-    return 1;
-}
-
 static void spread(const lag_shell *shell, const uint32_t *references, size_t n, lag_known *known)
 {
     for (size_t i = 0; i < n; ++i) {
@@ -59,11 +41,9 @@ lag_answer lag_shell_slopes(lag_shell *shell, int adjoint, const uint32_t *unkno
     size_t nknown, const double *seed, size_t nseed, double *sensitivity, size_t nsensitivity)
 {
     size_t unknown = 0, known = 0;
-    if (!has_derivatives(shell) || lag_shell_lacks(shell, nunknown > 0 && unknowns == NULL, "the array of unknowns") ||
-        lag_shell_lacks(shell, nknown > 0 && knowns == NULL, "the array of knowns") ||
-        lag_shell_lacks(shell, nseed > 0 && seed == NULL, "the seed") ||
+    if (!has_derivatives(shell) || lag_shell_lacks(shell, nseed > 0 && seed == NULL, "the seed") ||
         lag_shell_lacks(shell, nsensitivity > 0 && sensitivity == NULL, "the array of sensitivities") ||
-        !entries(shell, unknowns, nunknown, &unknown) || !entries(shell, knowns, nknown, &known)) {
+        !lag_shell_count(shell, LAG_TYPE_REAL, unknowns, nunknown, &unknown) || !lag_shell_count(shell, LAG_TYPE_REAL, knowns, nknown, &known)) {
         return LAG_ANSWER_ERROR;
     }
     if (nseed != (adjoint ? unknown : known) || nsensitivity != (adjoint ? known : unknown)) {

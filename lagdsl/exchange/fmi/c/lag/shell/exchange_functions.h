@@ -38,7 +38,7 @@ LAG_FMI(Status) LAG_FMI(SetContinuousStates)(lag_fmi_handle instance, const lag_
 LAG_FMI(Status) LAG_FMI(GetContinuousStates)(lag_fmi_handle instance, lag_fmi_real x[], size_t nx)
 {
     LAG_ENTER_EXCHANGE("GetContinuousStates", EVALUABLE)
-    return (LAG_FMI(Status))lag_shell_get_states(shell, x, nx);
+    return (LAG_FMI(Status))lag_shell_get_vector(shell, LAG_ROLE_STATE, x, nx);
 }
 
 LAG_FMI(Status) LAG_FMI(GetNominalsOfContinuousStates)(lag_fmi_handle instance, lag_fmi_real nominals[], size_t nx)
@@ -50,5 +50,5 @@ LAG_FMI(Status) LAG_FMI(GetNominalsOfContinuousStates)(lag_fmi_handle instance, 
 LAG_FMI(Status) LAG_FMI(GetEventIndicators)(lag_fmi_handle instance, lag_fmi_real indicators[], size_t count)
 {
     LAG_ENTER_EXCHANGE("GetEventIndicators", EVALUABLE)
-    return (LAG_FMI(Status))lag_shell_get_indicators(shell, indicators, count);
+    return (LAG_FMI(Status))lag_shell_get_vector(shell, LAG_ROLE_INDICATOR, indicators, count);
 }

@@ -8,7 +8,7 @@
 
 #include "lag/serialization.h"
 
-#define FORMAT UINT64_C(2)
+#define FORMAT UINT64_C(3)
 
 typedef struct head {
     uint64_t format, size, token, check; /* the check is that of all bytes with itself zero */

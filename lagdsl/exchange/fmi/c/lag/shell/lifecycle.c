@@ -39,7 +39,6 @@ lag_answer lag_shell_enter_initialization(lag_shell *shell)
     const lag_course_of_calls *now = &shell->now;
     lag_instance_setup(shell->instance, (lag_kinds)now->kind, now->start, now->stop, now->tolerance);
     shell->now.mode = LAG_MODE_INITIALIZATION;
-    shell->now.stale = 1;
     return LAG_ANSWER_OK;
 }
 

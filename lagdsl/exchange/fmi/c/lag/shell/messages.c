@@ -80,27 +80,9 @@ int lag_shell_lacks(lag_shell *shell, int missing, const char *argument)
     return missing;
 }
 
-static const char *reason(const lag_shell *shell, lag_status status)
-{
-    const char *message = lag_instance_message(shell->instance);
-    if (message != NULL && message[0] != '\0') {
-        return message;
-    }
-    switch (status) {
-    case LAG_SINGULAR:
-        return "some accelerations are not determined";
-    case LAG_NOT_FINITE:
-        return "a value is infinite or not a number";
-    case LAG_MISSING:
-        return "this cannot be computed";
-    default:
-        return "the simulation cannot continue";
-    }
-}
-
 lag_answer lag_shell_refused(lag_shell *shell, lag_status status)
 {
-    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_say(shell, LAG_ANSWER_ERROR, "%s", reason(shell, status));
+    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_say(shell, LAG_ANSWER_ERROR, "%s", lag_instance_message(shell->instance));
 }
 
 lag_answer lag_shell_failed(lag_shell *shell, lag_status status)
@@ -123,7 +105,7 @@ lag_answer lag_shell_judge(lag_shell *shell, lag_status status)
     case LAG_TOO_LONG:
     case LAG_PROJECTION_FAILED:
     case LAG_ATTENTION:
-        return lag_shell_say(shell, LAG_ANSWER_DISCARD, "%s", reason(shell, status));
+        return lag_shell_say(shell, LAG_ANSWER_DISCARD, "%s", lag_instance_message(shell->instance));
     case LAG_MISSING:
         return lag_shell_refused(shell, status);
     default:

@@ -49,7 +49,6 @@ static void begin(lag_shell *shell)
         .event_mode = now->event_mode,
         .early_return = now->early_return,
         .mode = LAG_MODE_INSTANTIATED,
-        .stale = 1,
         .time = shell->fmu->experiment.start,
         .reached = shell->fmu->experiment.start,
         .start = shell->fmu->experiment.start,

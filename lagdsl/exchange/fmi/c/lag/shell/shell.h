@@ -70,7 +70,6 @@ typedef struct lag_course_of_calls {
     double reached;                /* the same as the instance counts: they may differ by round-off */
     double start, stop, tolerance; /* of the experiment; infinite stop, zero tolerance: none given */
     uint32_t kind, mode;
-    uint32_t stale;                /* initialization: something was set since the last one */
     uint32_t pending;              /* event mode: an update is needed */
     uint32_t due;                  /* co-simulation: event mode must be entered */
     uint32_t ended;                /* the model has ended the simulation */
@@ -142,6 +141,10 @@ lag_answer lag_shell_get(lag_shell *shell, lag_type type, const uint32_t *refere
 /* All or nothing. */
 lag_answer lag_shell_set(
     lag_shell *shell, lag_type type, const uint32_t *references, size_t n, const void *values, size_t count, lag_fetch *fetch);
+/* The variable of a reference; null, and told why: there is none. */
+const lag_variable *lag_shell_variable(lag_shell *shell, uint32_t reference);
+/* Counts the values of these variables; 0, and told why: they are not all of this type. */
+int lag_shell_count(lag_shell *shell, lag_type type, const uint32_t *references, size_t n, size_t *count);
 /* True if all references name clocks, and `values` is no null pointer. */
 int lag_shell_clocks(lag_shell *shell, const uint32_t *references, size_t n, const void *values);
 lag_answer lag_shell_get_texts(lag_shell *shell, const uint32_t *references, size_t n, const char **values, size_t count);
@@ -182,25 +185,18 @@ lag_answer lag_shell_terminate(lag_shell *shell);
 
 lag_answer lag_shell_set_time(lag_shell *shell, double time);
 lag_answer lag_shell_set_states(lag_shell *shell, const double *x, size_t n);
-lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n);
-lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n);
-lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n);
+/* The states, their derivatives, or all event indicators. */
+lag_answer lag_shell_get_vector(lag_shell *shell, lag_role role, double *values, size_t n);
 lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n);
 lag_answer lag_shell_completed(lag_shell *shell, int *events);
-size_t lag_shell_order(const lag_shell *shell);
 
 /* ---- stepping.c ---- */
 
 /* Told of an accepted step inside a communication step at `t`; *until: not further than that. 0: it must not go on at all. */
 typedef int lag_between(lag_shell *shell, double t, int may_return, double *until);
 
-typedef struct lag_outcome {
-    double t;  /* reached */
-    int event, terminate;
-    int early; /* t is before the end of the step, and the importer allows that: one that does not sees it in t alone */
-} lag_outcome;
-
-lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_outcome *outcome);
+/* *told: `early` only where the importer allows that; one that does not sees it in t alone. */
+lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_progress *told);
 
 /* ---- fmu_state.c ---- */
 

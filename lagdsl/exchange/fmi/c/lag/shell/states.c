@@ -4,11 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-size_t lag_shell_order(const lag_shell *shell)
-{
-    return shell->fmu->states.count;
-}
-
 /* True if an array of the importer has `expected` numbers. */
 static int fits(lag_shell *shell, const double *values, size_t n, size_t expected, const char *what)
 {
@@ -31,7 +26,7 @@ lag_answer lag_shell_set_time(lag_shell *shell, double time)
 
 lag_answer lag_shell_set_states(lag_shell *shell, const double *x, size_t n)
 {
-    if (!fits(shell, x, n, lag_shell_order(shell), "states")) {
+    if (!fits(shell, x, n, shell->fmu->states.count, "states")) {
         return LAG_ANSWER_ERROR;
     }
     for (size_t i = 0; i < n; ++i) {
@@ -43,48 +38,21 @@ lag_answer lag_shell_set_states(lag_shell *shell, const double *x, size_t n)
     return LAG_ANSWER_OK;
 }
 
-lag_answer lag_shell_get_states(lag_shell *shell, double *x, size_t n)
+lag_answer lag_shell_get_vector(lag_shell *shell, lag_role role, double *values, size_t n)
 {
-    if (!fits(shell, x, n, lag_shell_order(shell), "states")) {
+    const lag_fmu *fmu = shell->fmu;
+    const size_t expected = role == LAG_ROLE_INDICATOR ? fmu->indicators.count : fmu->states.count;
+    const char *what = role == LAG_ROLE_INDICATOR ? "event indicators" : role == LAG_ROLE_STATE ? "states" : "derivatives";
+    if (!fits(shell, values, n, expected, what)) {
         return LAG_ANSWER_ERROR;
     }
     const lag_answer answer = lag_shell_initialized(shell);
-    if (answer == LAG_ANSWER_OK && n > 0) {
-        lag_instance_states(shell->instance, x);
-    }
-    return answer;
-}
-
-/* values (n) of the present state, which is initialized first. */
-static lag_answer evaluate(lag_shell *shell, lag_status (*function)(lag_instance *, double *), double *values, size_t n)
-{
-    const lag_answer answer = lag_shell_initialized(shell);
-    if (answer != LAG_ANSWER_OK || n == 0) {
-        return answer;
-    }
-    const lag_status status = function(shell->instance, values);
-    return status == LAG_OK ? LAG_ANSWER_OK : lag_shell_judge(shell, status);
-}
-
-lag_answer lag_shell_get_derivatives(lag_shell *shell, double *xd, size_t n)
-{
-    if (!fits(shell, xd, n, lag_shell_order(shell), "derivatives")) {
-        return LAG_ANSWER_ERROR;
-    }
-    return evaluate(shell, lag_instance_derivatives, xd, n);
-}
-
-lag_answer lag_shell_get_indicators(lag_shell *shell, double *g, size_t n)
-{
-    if (!fits(shell, g, n, shell->fmu->indicators.count, "event indicators")) {
-        return LAG_ANSWER_ERROR;
-    }
-    return evaluate(shell, lag_instance_indicators, g, n);
+    return answer != LAG_ANSWER_OK || n == 0 ? answer : lag_shell_judge(shell, lag_instance_vector(shell->instance, role, values));
 }
 
 lag_answer lag_shell_get_nominals(lag_shell *shell, double *nominal, size_t n)
 {
-    if (!fits(shell, nominal, n, lag_shell_order(shell), "nominal values")) {
+    if (!fits(shell, nominal, n, shell->fmu->states.count, "nominal values")) {
         return LAG_ANSWER_ERROR;
     }
     for (size_t i = 0; i < n; ++i) {

@@ -48,41 +48,39 @@ static int may_continue(lag_shell *shell, lag_between *between, int early, doubl
     return (on || !early) && shell->now.mode == LAG_MODE_STEP;
 }
 
-static lag_status proceed(lag_shell *shell, double end, lag_between *between, lag_outcome *outcome)
+static lag_status proceed(lag_shell *shell, double end, lag_between *between, lag_progress *told)
 {
     const int stops = (shell->now.event_mode && shell->now.early_return ? LAG_STOP_EVENTS : 0) | (between != NULL ? LAG_STOP_STEPS : 0);
     double until = end;
     for (double k = 0.0; k < LAG_MOST_STEPS; k += 1.0) {
-        lag_progress told = {.t = shell->now.reached};
-        const lag_status status = lag_instance_step(shell->instance, until - shell->now.reached, stops, &told);
-        shell->now.reached = told.t;
-        const int there = !told.early && !told.event && !told.terminate;
-        shell->now.time = status == LAG_OK && there ? until : told.t;
-        *outcome = (lag_outcome){.t = shell->now.time, .event = told.event, .terminate = told.terminate};
-        outcome->early = status == LAG_OK && shell->now.early_return && shell->now.time < end;
-        if (status != LAG_OK || told.event || told.terminate || between == NULL) {
+        const lag_status status = lag_instance_step(shell->instance, until - shell->now.reached, stops, told);
+        const int there = !told->early && !told->event && !told->terminate;
+        shell->now.reached = told->t;
+        shell->now.time = told->t = status == LAG_OK && there ? until : told->t;
+        told->early = status == LAG_OK && shell->now.early_return && told->t < end;
+        if (status != LAG_OK || told->event || told->terminate || between == NULL) {
             return status;
         }
-        if (!may_continue(shell, between, outcome->early, &until) || !(until > shell->now.time)) {
+        if (!may_continue(shell, between, told->early, &until) || !(until > shell->now.time)) {
             return LAG_OK;
         }
         until = fmin(until, end);
     }
-    return lag_instance_give_up(shell->instance);
+    return lag_instance_judge(shell->instance, LAG_TOO_LONG);
 }
 
-lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_outcome *outcome)
+lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *between, lag_progress *told)
 {
-    *outcome = (lag_outcome){.t = shell->now.time};
+    *told = (lag_progress){.t = shell->now.time};
     if (!acceptable(shell, t, h)) {
         return LAG_ANSWER_ERROR;
     }
     if (shell->now.ended) {
-        outcome->terminate = 1;
-        outcome->early = shell->now.early_return != 0;
+        told->terminate = 1;
+        told->early = shell->now.early_return != 0;
         return LAG_ANSWER_OK;
     }
-    const lag_status status = proceed(shell, t + h, between, outcome);
+    const lag_status status = proceed(shell, t + h, between, told);
     lag_shell_warn(shell);
     if (status != LAG_OK) {
         const lag_answer answer = lag_shell_judge(shell, status);
@@ -92,10 +90,10 @@ lag_answer lag_shell_step(lag_shell *shell, double t, double h, lag_between *bet
     if (shell->now.mode != LAG_MODE_STEP) {
         return LAG_ANSWER_ERROR; /* an evaluation in a callback failed, and that was told */
     }
-    shell->now.due = outcome->event != 0;
-    if (outcome->terminate) {
+    shell->now.due = told->event != 0;
+    if (told->terminate) {
         shell->now.ended = 1;
-        lag_shell_note(shell, "the model ends the simulation at %.17g s", outcome->t);
+        lag_shell_note(shell, "the model ends the simulation at %.17g s", told->t);
     }
     return LAG_ANSWER_OK;
 }
