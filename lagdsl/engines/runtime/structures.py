@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 11
+VERSION = 12
 
 # lag_event_kind.
 _WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses warning"

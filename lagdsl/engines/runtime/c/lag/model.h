@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 11u
+#define LAG_MODEL_VERSION 12u
 
 /* One entry of an array. */
 typedef struct lag_slot {
