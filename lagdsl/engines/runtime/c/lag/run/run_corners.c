@@ -8,7 +8,7 @@
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
-enum { SAMPLES = LAG_LAST_SAMPLE, TURNS = 8 };
+enum { SAMPLES = LAG_LAST_SAMPLE, TURNS = 8, PATTERNS = 3 };
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
 static const double TOGETHER = 4.0 * 8.0;
 
@@ -94,16 +94,50 @@ static int are_known(lag_run *run)
     return known;
 }
 
+/* The smallest and the largest distance of a corner in a step. */
+typedef struct lag_extent {
+    double least, most;
+} lag_extent;
+
+static lag_extent extent_of(const lag_run *run, size_t i)
+{
+    lag_extent seen = {run->guards.pieces.seen[0][i], run->guards.pieces.seen[0][i]};
+    for (int k = 1; k <= SAMPLES; ++k) {
+        seen.least = fmin(seen.least, run->guards.pieces.seen[k][i]);
+        seen.most = fmax(seen.most, run->guards.pieces.seen[k][i]);
+    }
+    return seen;
+}
+
 /* True if the distance of corner i passes zero, or changes by more than it is. A value that is not a number may be a corner, too. */
 static int is_near(const lag_run *run, size_t i)
 {
-    double least = run->guards.pieces.seen[0][i];
-    double most = least;
-    for (int k = 1; k <= SAMPLES; ++k) {
-        least = fmin(least, run->guards.pieces.seen[k][i]);
-        most = fmax(most, run->guards.pieces.seen[k][i]);
+    const lag_extent seen = extent_of(run, i);
+    return !(fmax(seen.least, -seen.most) >= seen.most - seen.least);
+}
+
+/*
+ * Leaves out corners that change in the step by no more than the tolerances of the state permit: a value at rest cannot be
+ * distinguished from zero.
+ */
+static lag_status leave_out(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    lag_guards *guards = &run->guards;
+    lag_status status = LAG_OK;
+    for (unsigned pattern = 0; pattern < PATTERNS; ++pattern) {
+        for (size_t i = 0; i < s->ode->size; ++i) {
+            const double by = (i >> pattern & 1u) != 0 ? -s->tolerance[i] : s->tolerance[i];
+            run->point[i] = s->x_before[i] + (pattern + 1 < PATTERNS ? by : s->tolerance[i]);
+        }
+        status = status == LAG_OK ? evaluate_distances(run, s->t_before, run->point, guards->corners.far) : status;
+        for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
+            const lag_extent seen = extent_of(run, i);
+            const int is_at_rest = seen.most - seen.least <= fabs(guards->corners.far[i] - guards->pieces.seen[0][i]);
+            guards->corners.side[i] = is_at_rest ? 0.0 : guards->corners.side[i];
+        }
     }
-    return !(fmax(least, -most) >= most - least);
+    return status;
 }
 
 lag_status lag_run_face_corners(lag_run *run)
@@ -118,7 +152,10 @@ lag_status lag_run_face_corners(lag_run *run)
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const int is_sought = !known || is_near(run, i);
         run->guards.corners.side[i] = !is_sought ? 0.0 : run->guards.pieces.seen[0][i] < 0.0 ? -1.0 : 1.0;
-        run->guards.corners.count = is_sought ? count : run->guards.corners.count;
+    }
+    if (status == LAG_OK && lag_any(count, run->guards.corners.side)) {
+        status = leave_out(run);
+        run->guards.corners.count = status == LAG_OK && lag_any(count, run->guards.corners.side) ? count : 0;
     }
     return status;
 }
