@@ -108,6 +108,13 @@ static inline lag_status machine_indicator(const lag_arguments *at, double *g)
     return LAG_OK;
 }
 
+static inline lag_status machine_indicator_rate(const lag_arguments *at, double *rate, double *acceleration)
+{
+    rate[0] = at->qd[1];
+    acceleration[0] = at->qdd[1];
+    return LAG_OK;
+}
+
 static inline lag_status machine_standing(const lag_arguments *at, double *w)
 {
     for (int i = 0; i < MACHINE_DISCRETES; ++i) {
@@ -210,6 +217,7 @@ static const lag_model MACHINE = {
     .state_derivative_tangent = machine_rates_tangent,
     .discrete_start = machine_discrete_start,
     .indicator = machine_indicator,
+    .indicator_rate = machine_indicator_rate,
     .standing = machine_standing,
     .contact = machine_contact,
     .clock = machine_clock,

@@ -13,6 +13,13 @@ static lag_status below(const lag_arguments *at, double *g)
     return LAG_OK;
 }
 
+static lag_status below_rate(const lag_arguments *at, double *rate, double *acceleration)
+{
+    rate[0] = -at->qd[linear.n - 1];
+    acceleration[0] = -at->qdd[linear.n - 1];
+    return LAG_OK;
+}
+
 static lag_status now_and_then(const lag_arguments *at, double *first, double *period)
 {
     (void)at;
@@ -119,6 +126,7 @@ static lag_model machine(enum mode what, int lever)
     model.stops = stops;
     model.failures = failures;
     model.indicator = below;
+    model.indicator_rate = below_rate;
     model.clock = now_and_then;
     model.event = pass;
     model.dynamics = pushed;

@@ -218,6 +218,13 @@ static lag_status is_pushed(const lag_arguments *at, double *g)
     return LAG_OK;
 }
 
+static lag_status is_pushed_rate(const lag_arguments *at, double *rate, double *acceleration)
+{
+    rate[0] = at->du[0];
+    acceleration[0] = 0.0;
+    return LAG_OK;
+}
+
 static lag_status no_clauses(const lag_arguments *at, double *next, double *reset, double *value, double *collision,
     double *restitution, double *stop, double *fail)
 {
@@ -283,6 +290,7 @@ static lag_model pushed(void)
     model.energies = NULL;
     model.discrete_start = none_are_true;
     model.indicator = is_pushed;
+    model.indicator_rate = is_pushed_rate;
     model.event = no_clauses;
     return model;
 }

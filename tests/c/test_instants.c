@@ -66,7 +66,7 @@ static enum { LINE, WAVE, DIP } shape;
 
 /* The distance of the truth w from its change, and its rate. */
 static lag_status time_event(
-    const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry, double *change)
+    const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry)
 {
     const double t = at->t;
     const double g = shape == LINE ? t - 0.3 : shape == WAVE ? sin(3.0 * t) - 0.5 : 1.0 + 1e-8 - cosh(t - 4.0);
@@ -77,7 +77,7 @@ static lag_status time_event(
     distance[0] = sense * g;
     rate[0] = sense * slope;
     affine[0] = shape == LINE ? 1.0 : 0.0;
-    entry[0] = change[0] = 0.0;
+    entry[0] = 0.0;
     return LAG_OK;
 }
 

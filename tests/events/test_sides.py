@@ -20,15 +20,16 @@ MOVING = model(
 
 
 def test_rates_and_accelerations_are_derivatives_along_the_motion() -> None:
-    """g = sin x + z - u and h = x' x - 3; x'' and u' are given, x''' and u'' taken as zero."""
+    """g = sin x + z - u and h = x' x - 3; x'' and z' and u' are given, x''' and u'' taken as zero."""
     program = lagdsl.compile(MOVING)._compilation.program
-    x, v, a, u, du = 0.7, -1.3, 0.4, 0.9, 0.25
+    x, v, a, u, du, dz = 0.7, -1.3, 0.4, 0.9, 0.25, 3.5
     symbols = {Group.TIME: 0.0, Group.Q: [x], Group.QD: [v], Group.QDD: [a], Group.Z: [2.0], Group.U: [u]}
-    along = {Group.DIRECTION_U: [du], Group.DIRECTION_QDD: [0.0], Group.W: np.zeros(9), Group.P: [], Group.LAMBDA: []}
+    rates = {Group.DIRECTION_Z: [dz], Group.DIRECTION_U: [du], Group.DIRECTION_QDD: [0.0]}
+    along = {**rates, Group.W: np.zeros(9), Group.P: [], Group.LAMBDA: []}
     rate, acceleration = program.function("indicator_rate").results
     arrays = {group: value if group is Group.TIME else np.array(value) for group, value in (symbols | along).items()}
     found = evaluate(program.graph, [*rate.elements, *acceleration.elements], arrays)
-    first = (cos(x) * v + x * u - du, a * x + v * v)
+    first = (cos(x) * v + dz - du, a * x + v * v)
     second = (-sin(x) * v * v + cos(x) * a + v * u + x * du, 3 * a * v)
     assert found == pytest.approx([*first, *second], rel=1e-14)
 

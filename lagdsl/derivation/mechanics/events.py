@@ -82,19 +82,26 @@ def _indicators(lowering: Lowering, flat: FlatModel) -> list[int]:
 def _rates(lowering: Lowering, flat: FlatModel, indicators: Sequence[int]) -> list[Block]:
     """First and second derivatives along the motion. Of what the equations do not differentiate, accelerations,
     multipliers and inputs without their own derivatives, the rates are symbols, which stay as they are; so do
-    those of delayed values, entries of w."""
-    graph = lowering.graph
+    those of delayed values, entries of w. In first derivatives those of states are symbols, too: there a rate of
+    a position or a state is a direction, in which a relation of positions changes linearly."""
+    graph, delayed = lowering.graph, delay_rates(lowering.symbols, flat)
     differentiated_inputs = {item.derivative_of for item in flat.inputs}
     given = {Group.U: Group.DIRECTION_U, Group.QDD: Group.DIRECTION_QDD, Group.LAMBDA: Group.DIRECTION_LAMBDA}
+    given[Group.Z] = Group.DIRECTION_Z
 
-    def rate(symbol: int) -> int:
+    def direction(symbol: int) -> int:
         index, group = graph.b[symbol], graph.group(symbol)
-        is_known = group is Group.Z or (group is Group.U and flat.inputs[index].name in differentiated_inputs)
+        is_known = group is Group.U and flat.inputs[index].name in differentiated_inputs
         return lowering.rate.of(symbol) if is_known else graph.symbol(given[group], index)
 
-    along = TimeDerivative(graph, rate, delayed=delay_rates(lowering.symbols, flat))
-    rates = [along.of(node) for node in indicators]
-    return [vector_block("rate", rates), vector_block("acceleration", [along.of(node) for node in rates])]
+    def rate(symbol: int) -> int:
+        return lowering.rate.of(symbol) if graph.group(symbol) is Group.Z else direction(symbol)
+
+    first = TimeDerivative(graph, direction, delayed=delayed)
+    along = TimeDerivative(graph, rate, delayed=delayed)
+    rates = [first.of(node) for node in indicators]
+    accelerations = [along.of(along.of(node)) for node in indicators]
+    return [vector_block("rate", rates), vector_block("acceleration", accelerations)]
 
 
 def corner_functions(lowering: Lowering, flat: FlatModel) -> tuple[Function, ...]:
@@ -214,7 +221,6 @@ def _time_events(lowering: Lowering, flat: FlatModel) -> list[Block]:
     affine = [float(lowering.rate.of(rate) == graph.zero) for rate in rates]
     stands = _as_time_stands(lowering, flat, {})
     told = [float(_TOLD[each.kind]) for each in timed]
-    changes = [float(change) for each in timed for change in each.changes]
     return [
         vector_block("value", [stands[each.name] for each in timed]),
         vector_block("told", [graph.constant(flag) for flag in told]),
@@ -222,7 +228,6 @@ def _time_events(lowering: Lowering, flat: FlatModel) -> list[Block]:
         vector_block("rate", rates),
         vector_block("affine", [graph.constant(flag) for flag in affine]),
         vector_block("entry", [graph.constant(float(place)) for place in places]),
-        vector_block("change", [graph.constant(change) for change in changes]),
     ]
 
 

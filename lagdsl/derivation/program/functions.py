@@ -160,10 +160,11 @@ FUNCTIONS: tuple[Signature, ...] = (
     _function("indicator", SOLVED, "g[nindicator]", "indicators of relations", Presence.DISCRETES),
     _function(
         "indicator_rate",
-        (*SOLVED, Group.DIRECTION_U, Group.DIRECTION_QDD, Group.DIRECTION_LAMBDA),
+        (*SOLVED, Group.DIRECTION_Z, Group.DIRECTION_U, Group.DIRECTION_QDD, Group.DIRECTION_LAMBDA),
         "rate[nindicator] acceleration[nindicator]",
-        "first and second derivatives of indicators along the motion, with du, dqdd and dlam as the rates of inputs, "
-        "accelerations and multipliers, whose own rates are zero",
+        "first and second derivatives of indicators along the motion, with dz, du, dqdd and dlam as the rates of "
+        "states, inputs, accelerations and multipliers; second derivatives of states are those of the equations, "
+        "those of the others zero",
         Presence.DISCRETES,
     ),
     _function("standing", SOLVED, "next[nw]", "w with relations as they stand", Presence.DISCRETES),
@@ -186,12 +187,10 @@ FUNCTIONS: tuple[Signature, ...] = (
     _function(
         "time_event",
         (Group.TIME, Group.W, Group.P),
-        "value[ntimed] told[ntimed] distance[ndistance] rate[ndistance] affine[ndistance] entry[ndistance] "
-        "change[ndistance]",
+        "value[ntimed] told[ntimed] distance[ndistance] rate[ndistance] affine[ndistance] entry[ndistance]",
         "what time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, "
         "1 for a truth, 2 for a jump; distances, positive up to the next change, and their rates; 1 where they are "
-        "affine in time between events; the entries that change where they reach zero, and by how much, 0 for a truth "
-        "that turns over",
+        "affine in time between events; the entries that change where they reach zero",
         Presence.DISCRETES,
     ),
     _function(

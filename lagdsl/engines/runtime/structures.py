@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 11
+VERSION = 12
 
 # lag_event_kind.
 _WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses warning"
@@ -124,7 +124,8 @@ class Model(Structure):
         *_all(_evaluated(1), "standing"),
         *_all(_evaluated(6), "contact"),
         *_all(_evaluated(2), "clock"),
-        *_all(_evaluated(7), "event time_event"),
+        *_all(_evaluated(7), "event"),
+        *_all(_evaluated(6), "time_event"),
         *_all(_evaluated(2), "corner"),
         *_all(_evaluated(1), "way"),
         *_all(_evaluated(4), "turn"),

@@ -48,15 +48,14 @@ class Timed(Item):
     """An entry that depends on time, parameters and discretes only: the instants at which it changes are known ahead.
 
     `value` is what it is as time stands: the truth of a relation, the number of a piece. Between its changes every one
-    of `distances`, which read the entry itself, is positive; where one reaches zero the entry changes by the number in
-    `changes`, and a truth, with 0 there, turns over. A `corner` is told only where rates jump with it.
+    of `distances`, which read the entry itself, is positive; where one reaches zero the entry changes. A `corner`
+    is told only where rates jump with it.
     """
 
     name: str
     kind: Literal["relation", "jump", "corner"]
     value: FlatExpression
     distances: tuple[FlatExpression, ...]
-    changes: tuple[int, ...]
 
 
 @record(kw_only=True)

@@ -15,7 +15,7 @@ _OF_INSTANTS = """\
 # With A = (t, q, qd, z, u, w, p) and S = (*A, qdd, lam), lam being `multipliers`:
 #   discrete_start(t, p)  w before anything happened
 #   indicator(*S)   one number per relation, which holds where it is positive, or zero and not STRICT
-#   indicator_rate(*S, du, dqdd, dlam)  their first and second derivatives along the motion
+#   indicator_rate(*S, dz, du, dqdd, dlam)  their first and second derivatives along the motion
 #   standing(*S)    w with the truths of relations as they stand
 #   contact(*A)     gap, its rate, dgap/dq of contacts, then of what clauses let collide; of contacts the restitution,
 #                   and the speed and the time below which they close, negative where the language's defaults hold

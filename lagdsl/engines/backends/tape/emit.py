@@ -27,7 +27,7 @@ from lagdsl.foundation.record import record
 from lagdsl.language.flat.events import INITIAL
 
 _DIRECTIONS: Final = mask_of(DIRECTION_OF.values())
-VERSION: Final = 13
+VERSION: Final = 14
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = (

@@ -43,7 +43,7 @@ class Entries:
             return (fx.Conditional(entry, difference, fx.Unary("-", difference)),)
 
         stands = fx.Binary(">" if strict else ">=", difference, fx.ZERO)
-        return self._timed(met, text, kind, stands, distances, (0,))
+        return self._timed(met, text, kind, stands, distances)
 
     def whole(self, met: Met, text: str, x: FlatExpression) -> fx.Variable:
         """floor(x) of time alone."""
@@ -52,7 +52,7 @@ class Entries:
             beyond = fx.Binary("-", x, entry)
             return beyond, fx.Binary("-", fx.ONE, beyond)
 
-        return self._timed(met, text, "jump", fx.Function("floor", (x,)), distances, (-1, 1))
+        return self._timed(met, text, "jump", fx.Function("floor", (x,)), distances)
 
     def piece(self, met: Met, text: str, x: FlatExpression, borders: Sequence[float]) -> fx.Variable:
         """The number of the interval between `borders` in which x, of time alone, is: k from borders[k - 1] on, up to
@@ -65,7 +65,7 @@ class Entries:
             return fx.Binary("-", x, below), fx.Binary("-", above, x)
 
         stands = chosen(x, borders, [fx.Number(float(k)) for k in range(len(borders) + 1)])
-        return self._timed(met, text, "corner", stands, distances, (-1, 1))
+        return self._timed(met, text, "corner", stands, distances)
 
     def _timed(
         self,
@@ -74,10 +74,9 @@ class Entries:
         kind: Literal["relation", "jump", "corner"],
         stands: FlatExpression,
         distances: Callable[[fx.Variable], tuple[FlatExpression, ...]],
-        changes: tuple[int, ...],
     ) -> fx.Variable:
         def make(name: str) -> Timed:
             away = distances(fx.Variable(name))
-            return Timed(spans=met.spans, name=name, kind=kind, value=stands, distances=away, changes=changes)
+            return Timed(spans=met.spans, name=name, kind=kind, value=stands, distances=away)
 
         return fx.Variable(entered(self._known, text, make))

@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 11u
+#define LAG_MODEL_VERSION 12u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -215,9 +215,9 @@ typedef struct lag_model {
     /* t q qd z u w p qdd lam -> g (nindicator): indicators of relations. Only in models with discretes */
     lag_status (*indicator)(const lag_arguments *at, double *g);
     /*
-     * t q qd z u w p qdd lam, du dqdd dlam -> rate (nindicator), acceleration (nindicator): first and second derivatives of
-     * indicators along the motion, with du, dqdd and dlam as the rates of inputs, accelerations and multipliers, whose own rates
-     * are zero. Only in models with discretes
+     * t q qd z u w p qdd lam, dz du dqdd dlam -> rate (nindicator), acceleration (nindicator): first and second derivatives of
+     * indicators along the motion, with dz, du, dqdd and dlam as the rates of states, inputs, accelerations and multipliers; second
+     * derivatives of states are those of the equations, those of the others zero. Only in models with discretes
      */
     lag_status (*indicator_rate)(const lag_arguments *at, double *rate, double *acceleration);
     /* t q qd z u w p qdd lam -> next (nw): w with relations as they stand. Only in models with discretes */
@@ -241,15 +241,13 @@ typedef struct lag_model {
         const lag_arguments *at, double *next, double *reset, double *value, double *collision, double *restitution, double *stop,
         double *fail);
     /*
-     * t w p -> value (ntimed), told (ntimed), distance (ndistance), rate (ndistance), affine (ndistance), entry (ndistance), change
-     * (ndistance): what time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, 1
-     * for a truth, 2 for a jump; distances, positive up to the next change, and their rates; 1 where they are affine in time
-     * between events; the entries that change where they reach zero, and by how much, 0 for a truth that turns over. Only in models
-     * with discretes
+     * t w p -> value (ntimed), told (ntimed), distance (ndistance), rate (ndistance), affine (ndistance), entry (ndistance): what
+     * time alone changes: the entries of w as they are at that time; 0 where nothing is told of their changes, 1 for a truth, 2 for
+     * a jump; distances, positive up to the next change, and their rates; 1 where they are affine in time between events; the
+     * entries that change where they reach zero. Only in models with discretes
      */
     lag_status (*time_event)(
-        const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry,
-        double *change);
+        const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry);
     /*
      * t q qd z u w p qdd lam -> far (ncorner), solved: distances that pass zero where forces, energies or rates have a corner along
      * the motion; 1 where one of them reads accelerations or multipliers. Only in models with corners

@@ -19,7 +19,6 @@
 #include "lag/linalg/minimum.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/root.h"
-#include "lag/linalg/slope.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 #include "lag/methods/radau.h"
@@ -43,27 +42,21 @@
 
 #include "lag/delays/pieces.c"
 
-#define ALIKE clock_ALIKE
 #define PART clock_PART
-#define ROUNDING clock_ROUNDING
 #include "lag/events/clock.c"
-#undef ALIKE
 #undef PART
-#undef ROUNDING
 
 #include "lag/events/event_contacts.c"
 
+#define ULPS event_iteration_ULPS
 #define pass event_iteration_pass
 #include "lag/events/event_iteration.c"
+#undef ULPS
 #undef pass
 
 #include "lag/events/event_notice.c"
 
-#define SHORT event_sides_SHORT
-#define find_sides event_sides_find_sides
 #include "lag/events/event_sides.c"
-#undef SHORT
-#undef find_sides
 
 #define evaluate guards_evaluate
 #define size_of guards_size_of
@@ -73,11 +66,9 @@
 #undef size_of
 #undef take_values
 
-#define ULPS instant_ULPS
 #define remember instant_remember
 #define turn_relation instant_turn_relation
 #include "lag/events/instant.c"
-#undef ULPS
 #undef remember
 #undef turn_relation
 
@@ -85,13 +76,11 @@
 #include "lag/events/noise.c"
 #undef count_of
 
-#define MOST_HALVES refraction_MOST_HALVES
 #define MOST_STEPS refraction_MOST_STEPS
 #define NEAR refraction_NEAR
 #define find_rates refraction_find_rates
 #define turn_relation refraction_turn_relation
 #include "lag/events/refraction.c"
-#undef MOST_HALVES
 #undef MOST_STEPS
 #undef NEAR
 #undef find_rates
@@ -125,9 +114,7 @@
 #undef size_of
 #undef take
 
-#define ROUNDING course_ROUNDING
 #include "lag/run/course.c"
-#undef ROUNDING
 
 #include "lag/run/extremes.c"
 
@@ -145,11 +132,7 @@
 
 #include "lag/run/run_begin.c"
 
-#define BESIDE run_corners_BESIDE
-#define find_sides run_corners_find_sides
 #include "lag/run/run_corners.c"
-#undef BESIDE
-#undef find_sides
 
 #define find_rates run_fault_find_rates
 #include "lag/run/run_fault.c"
@@ -187,15 +170,12 @@
 #undef carry_out
 #undef step_once
 
-#define ALIKE run_zero_crossings_ALIKE
 #define HALVES run_zero_crossings_HALVES
 #define value_of run_zero_crossings_value_of
 #include "lag/run/run_zero_crossings.c"
-#undef ALIKE
 #undef HALVES
 #undef value_of
 
-#define BESIDE singular_crossing_BESIDE
 #define HALVINGS singular_crossing_HALVINGS
 #define NEAR singular_crossing_NEAR
 #define NODES singular_crossing_NODES
@@ -203,7 +183,6 @@
 #define SMALL singular_crossing_SMALL
 #define take singular_crossing_take
 #include "lag/run/singular_crossing.c"
-#undef BESIDE
 #undef HALVINGS
 #undef NEAR
 #undef NODES
@@ -211,16 +190,12 @@
 #undef SMALL
 #undef take
 
-#define MOST_HALVES turns_MOST_HALVES
 #define NEAR turns_NEAR
-#define SHORT turns_SHORT
 #define SMALL turns_SMALL
 #define evaluate turns_evaluate
 #define take turns_take
 #include "lag/run/turns.c"
-#undef MOST_HALVES
 #undef NEAR
-#undef SHORT
 #undef SMALL
 #undef evaluate
 #undef take

@@ -26,7 +26,6 @@
 #include "lag/linalg/order.h"
 #include "lag/linalg/pivoted_cholesky.h"
 #include "lag/linalg/root.h"
-#include "lag/linalg/slope.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 #include "lag/methods/accuracy.h"
@@ -93,9 +92,7 @@
 
 #include "lag/equations/evaluate.c"
 
-#define MOST_STEPS feedback_MOST_STEPS
 #include "lag/equations/feedback.c"
-#undef MOST_STEPS
 
 #define along jacobian_along
 #define functions jacobian_functions
@@ -205,12 +202,6 @@
 
 #include "lag/linalg/root.c"
 
-#define MOST_STEPS slope_MOST_STEPS
-#define error_of slope_error_of
-#include "lag/linalg/slope.c"
-#undef MOST_STEPS
-#undef error_of
-
 #define MOST_SWEEPS svd_MOST_SWEEPS
 #include "lag/linalg/svd.c"
 #undef MOST_SWEEPS
@@ -232,13 +223,11 @@
 #define LOWER radau_LOWER
 #define SAFETY radau_SAFETY
 #define accept radau_accept
-#define error_of radau_error_of
 #include "lag/methods/radau.c"
 #undef LOWER
 #undef RADAU
 #undef SAFETY
 #undef accept
-#undef error_of
 
 #define ITERATIONS radau_effort_ITERATIONS
 #include "lag/methods/radau_effort.c"

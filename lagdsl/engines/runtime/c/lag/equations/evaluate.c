@@ -195,8 +195,7 @@ static lag_status evaluate_time_event(const lag_model *model, const lag_argument
     double *const rate = distance + model->ndistance;
     double *const affine = rate + model->ndistance;
     double *const entry = affine + model->ndistance;
-    double *const change = entry + model->ndistance;
-    return model->time_event == NULL ? LAG_MISSING : model->time_event(at, value, told, distance, rate, affine, entry, change);
+    return model->time_event == NULL ? LAG_MISSING : model->time_event(at, value, told, distance, rate, affine, entry);
 }
 
 static lag_status evaluate_corner(const lag_model *model, const lag_arguments *at, double *results)

@@ -3,13 +3,8 @@
 #include <math.h>
 
 /* So many intervals in a row, each shorter than the one before, down to this part of the first, */
-enum { MANY = 20, SAME = 100 };
+enum { MANY = 20 };
 static const double PART = 1e-6;
-/* or so many ratios of them in a row that differ by less than this part: bounces by resets that lose much are over after fewer; */
-enum { REGULAR = 3 };
-static const double ALIKE = 0.1;
-/* or so many events at times that are the same but for round-off. */
-static const double ROUNDING = 1e-14;
 /* or so many events in a row, each this part of the experiment after the one before. */
 enum { DENSE = 1000 };
 static const double BRIEF = 1e-10;
@@ -135,19 +130,15 @@ double lag_clocks_same(size_t count, const lag_clock *clocks, double t)
 int lag_crowds(lag_crowd *crowd, double t, double length, int relations)
 {
     const double interval = t - crowd->last;
-    const double ratio = interval / crowd->interval;
-    crowd->regular = relations && fabs(ratio - crowd->ratio) <= ALIKE * crowd->ratio ? crowd->regular + 1 : 0;
-    crowd->ratio = ratio;
+    crowd->ratio = interval / crowd->interval;
     if (relations && crowd->interval < (double)INFINITY && interval < crowd->interval) {
         ++crowd->shrinking;
     } else {
         crowd->first = interval;
         crowd->shrinking = 1;
     }
-    crowd->still = interval <= ROUNDING * fabs(t) ? crowd->still + 1 : 0;
     crowd->dense = interval <= BRIEF * length ? crowd->dense + 1 : 0;
     crowd->last = t;
     crowd->interval = interval;
-    const int many = crowd->shrinking > MANY || (crowd->regular >= REGULAR && crowd->shrinking > REGULAR);
-    return (many && interval < PART * crowd->first) || crowd->still > SAME || crowd->dense > DENSE;
+    return (crowd->shrinking > MANY && interval < PART * crowd->first) || crowd->dense > DENSE;
 }

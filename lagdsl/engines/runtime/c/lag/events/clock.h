@@ -48,9 +48,8 @@ double lag_clocks_same(size_t count, const lag_clock *clocks, double t);
 typedef struct lag_crowd {
     double last, interval, first; /* time of the last event, time since the one before, and that where they began to shrink */
     double ratio;                 /* of that time to the one before it */
-    unsigned shrinking, still;    /* so many intervals in a row, each shorter than the one before; events at one time */
+    unsigned shrinking;           /* so many intervals in a row, each shorter than the one before */
     unsigned dense;               /* so many events in a row, each a moment of the experiment after the one before */
-    unsigned regular;             /* so many ratios in a row, each like the one before: a geometric series, which has a sum */
 } lag_crowd;
 
 /* True if events crowd: the event at t, of relations or of contacts only, is one too many. Contacts close if theirs crowd. */

@@ -61,29 +61,16 @@ lag_status lag_instants_impact(lag_instants *instants, double t, double *x, cons
     return status == LAG_OK && any ? lag_projection_rates(instants->projection, t, x, NULL) : status;
 }
 
-lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double *x, size_t which)
+lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double *x)
 {
     lag_contacts *contacts = &instants->contacts;
     const size_t count = instants->motion->model->ncontact;
     double *closed = instants->motion->w + instants->motion->places.contact;
-    double *truth = instants->motion->w + instants->motion->places.relation + which;
-    int bends = 0;
-    if (!lag_any(count, closed)) {
-        return LAG_OK;
-    }
-    *truth = 1.0 - *truth;
-    lag_status status = lag_contacts_evaluate_at(contacts, t, x);
-    memcpy(instants->trial.pulling, contacts->speed, count * sizeof(double));
-    *truth = 1.0 - *truth;
-    status = status == LAG_OK ? lag_contacts_evaluate_at(contacts, t, x) : status;
+    lag_status status = lag_any(count, closed) ? lag_contacts_evaluate_at(contacts, t, x) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const double speed_band = lag_contacts_speed_band(contacts, i);
-        if (closed[i] != 0.0 && fabs(contacts->speed[i] - instants->trial.pulling[i]) > speed_band) {
-            bends = 1;
-            closed[i] = contacts->speed[i] >= -speed_band;
-        }
+        closed[i] *= contacts->speed[i] >= -lag_contacts_speed_band(contacts, i);
     }
-    return status == LAG_OK && bends ? lag_instants_open(instants, t, x) : status;
+    return status == LAG_OK ? lag_instants_open(instants, t, x) : status;
 }
 
 lag_status lag_instants_change_contacts(lag_instants *instants, double t, double *x, const double *changed)
@@ -100,19 +87,4 @@ lag_status lag_instants_change_contacts(lag_instants *instants, double t, double
     }
     instants->leaving.left = instants->leaving.turned ? NULL : instants->leaving.flags;
     return lag_any(model->ncontact + model->nfriction, changed) ? lag_instants_impact(instants, t, x, NULL, &acted) : LAG_OK;
-}
-
-/* ---- steps of energy in place ---- */
-
-lag_status lag_instants_cross(lag_instants *instants, double t, double *x, size_t which, int *refracted, int *back)
-{
-    double *truth = instants->motion->w + instants->motion->places.relation;
-    const int located = instants->sides.located != NULL && instants->sides.located[which] != 0.0;
-    const double moment = located ? (double)INFINITY : instants->instant.moment;
-    const lag_status status = lag_refraction_cross(&instants->refraction, t, x, which, moment, refracted, back);
-    truth[which] = *back ? truth[which] : 1.0 - truth[which];
-    if (status == LAG_CHATTER) {
-        instants->discretes.guilty[instants->motion->places.relation + which] = 1.0;
-    }
-    return status == LAG_OK && *refracted ? lag_instants_balance(instants, t, x) : status;
 }

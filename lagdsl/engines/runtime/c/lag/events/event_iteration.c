@@ -1,5 +1,6 @@
 #include "lag/events/instant.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -9,6 +10,8 @@
 enum { MOST_PASSES = 100 };
 /* Largest residual at which a constraint that discretes switch may become active, as a part of the size of its row. */
 static const double TORN = 1e-6;
+/* An instant is known to so many roundings of the last step. */
+static const double ULPS = 4096.0;
 
 lag_status lag_instants_report(const lag_instants *instants, double t, const double *x, lag_event_kind what, size_t which)
 {
@@ -200,12 +203,26 @@ static lag_status apply_constraints(lag_instants *instants, double t, double *x,
     return status == LAG_OK && acted ? lag_projection_rates(instants->projection, t, x, held) : status;
 }
 
-lag_status lag_instants_balance(lag_instants *instants, double t, double *x)
+/* The rates are those that belong to the discretes of now, but for constraints that take hold. */
+static lag_status balance(lag_instants *instants, double t, double *x)
 {
     int jumped = 0;
     const lag_status status = lag_impulse_keep_momenta(&instants->impulse, t, x, instants->motion->w);
     memcpy(instants->discretes.settled, instants->motion->w, instants->motion->model->nw * sizeof(double));
     return status == LAG_OK ? lag_impulse_balance(&instants->impulse, t, x, NULL, NULL, &jumped) : status;
+}
+
+lag_status lag_instants_cross(lag_instants *instants, double t, double *x, size_t which, int *refracted, int *back)
+{
+    double *truth = instants->motion->w + instants->motion->places.relation;
+    const int located = instants->sides.located != NULL && instants->sides.located[which] != 0.0;
+    const double moment = located ? (double)INFINITY : instants->instant.moment;
+    const lag_status status = lag_refraction_cross(&instants->refraction, t, x, which, moment, refracted, back);
+    truth[which] = *back ? truth[which] : 1.0 - truth[which];
+    if (status == LAG_CHATTER) {
+        instants->discretes.guilty[instants->motion->places.relation + which] = 1.0;
+    }
+    return status == LAG_OK && *refracted ? balance(instants, t, x) : status;
 }
 
 /*
@@ -314,8 +331,14 @@ lag_status lag_instants_run(lag_instants *instants, double t, double *x, const d
 
 /* ---- what is continuous ---- */
 
-lag_status lag_instants_check_positions(lag_instants *instants, double t, const double *x, double moment)
+double lag_instants_resolution(const lag_instants *instants, double t, double h)
 {
+    return fmax(instants->instant.late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
+}
+
+lag_status lag_instants_check_positions(lag_instants *instants, double t, const double *x)
+{
+    const double moment = lag_instants_resolution(instants, t, instants->contacts.length);
     const lag_model *model = instants->motion->model;
     const double *stood = instants->instant.from + 2 * model->nq;
     const double *was = with_states(instants, x, stood);

@@ -12,13 +12,8 @@
 
 /* So many times between resets in a row, each shorter than the one before, are a series. */
 enum { SERIES = 2 };
-/*
- * The top of a flight of time T that begins at speed v is v T/4. It is lost where the next event is as deep as this one. Where flights are a
- * small part of the run, an importer that has been exact so far loses one that is not above the depth by a large factor, about.
- */
+/* The top of a flight of time T that begins at speed v is v T/4. It is lost where the next event is about as deep as this one. */
 static const double DEEP = 16.0;
-static const double LOW = 1e4;
-static const double SHORT = 1e-3;
 
 static lag_status indicate(lag_instants *instants, double t, const double *x, double *g)
 {
@@ -63,27 +58,27 @@ static int is_moved(const lag_instants *instants, size_t i)
 }
 
 /*
- * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known, in a `window` [s]; or it is near zero,
+ * True if relation i lies at its border: its value is zero but for round-off, or as good as the instant is known; or it is near zero,
  * disagrees with the mode, and this instant has not moved it: a projection has.
  */
-static int is_at_border(const lag_instants *instants, size_t i, double window)
+static int is_at_border(const lag_instants *instants, size_t i)
 {
     const lag_noise *noise = &instants->noise;
     const size_t count = instants->motion->model->nindicator;
     const double g = noise->value[i];
-    const double passed = window * fabs(noise->value[count + instants->motion->model->ncorner + i]);
+    const double passed = instants->instant.moment * fabs(noise->value[count + instants->motion->model->ncorner + i]);
     const int disagrees = holds(instants->motion->model, i, g) != (instants->motion->w[instants->motion->places.relation + i] != 0.0);
     const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(instants, i);
     return is_off || !(fabs(g) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
 }
 
 /* The side of relation i by its value, at its border by its rate, then by its acceleration; 0: they do not show it. */
-static double side_of(const lag_instants *instants, size_t i, double window)
+static double side_of(const lag_instants *instants, size_t i)
 {
     const lag_noise *noise = &instants->noise;
     const size_t count = instants->motion->model->nindicator;
     const size_t rate = count + instants->motion->model->ncorner + i;
-    if (!is_at_border(instants, i, window)) {
+    if (!is_at_border(instants, i)) {
         return sign_of(noise->value[i], 0.0);
     }
     const double side = sign_of(noise->value[rate], LAG_MOVES_CLEARLY * noise->sigma[rate]);
@@ -99,41 +94,17 @@ static lag_status evaluate_before(lag_instants *instants, double t)
     return status;
 }
 
-/* True if all relations are clear of their round-off as it was known last, and of their motion in the window; one that was located is at its border. */
-static int are_clear(const lag_instants *instants, double window)
+/* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`, and those before the event. */
+static lag_status find_sides(lag_instants *instants, double t, const double *x)
 {
-    const lag_noise *noise = &instants->noise;
     const size_t count = instants->motion->model->nindicator;
-    const double *rate = noise->value + count + instants->motion->model->ncorner;
-    size_t i = 0;
-    if (instants->sides.located != NULL && lag_any(count, instants->sides.located)) {
-        return 0; /* where it was known last, the gradient may have been zero */
-    }
-    while (i < count && noise->sigma[i] > 0.0 && fabs(noise->value[i]) > fmax(LAG_CLEARLY * noise->sigma[i], window * fabs(rate[i]))) {
-        ++i;
-    }
-    return i == count;
-}
-
-/* Sides of all relations just behind t into `side`: 1, -1, or 0 where there is none; their values into `now`. */
-static lag_status find_sides(lag_instants *instants, double t, const double *x, double window)
-{
-    lag_noise *noise = &instants->noise;
-    const size_t count = instants->motion->model->nindicator;
-    const int known = lag_noise_update(noise, t, x) == LAG_OK;
-    const int clear = known && are_clear(instants, window);
-    if (known && !clear) {
-        lag_noise_find(noise, t, x);
-    }
     double *now = instants->sides.now;
-    lag_status status = known ? LAG_OK : indicate(instants, t, x, now); /* there may be no accelerations */
-    if (known) {
-        memcpy(now, noise->value, count * sizeof(double));
-    }
-    memcpy(instants->sides.before, now, count * sizeof(double));
-    status = known && !clear ? evaluate_before(instants, t) : status;
+    const int known = lag_noise_find(&instants->noise, t, x) == LAG_OK; /* there may be no accelerations */
+    lag_copy(known ? count : 0, instants->noise.value, now);
+    const lag_status status = known ? evaluate_before(instants, t) : indicate(instants, t, x, now);
+    lag_copy(known ? 0 : count, now, instants->sides.before);
     for (size_t i = 0; i < count; ++i) {
-        instants->sides.side[i] = known && !clear ? side_of(instants, i, window) : sign_of(now[i], 0.0);
+        instants->sides.side[i] = known ? side_of(instants, i) : sign_of(now[i], 0.0);
     }
     return status;
 }
@@ -146,12 +117,10 @@ lag_status lag_instants_sides(lag_instants *instants, double t, const double *x,
     if (model->nindicator == 0) {
         return LAG_OK;
     }
-    const lag_status status = find_sides(instants, t, x, instants->instant.moment);
-    const int alone = instants->sides.begins && !instants->instant.acted && lag_same(instants->motion->places.relation, instants->instant.stood, instants->motion->w); /* relations turned */
+    const lag_status status = find_sides(instants, t, x);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const int returns = alone && truth[i] != instants->instant.stood[instants->motion->places.relation + i];
         if (side[i] != 0.0) {
-            truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
+            truth[i] = side[i] > 0.0;
         } else if (!has_turned(instants, turned, i) && fabs(instants->sides.before[i]) > lag_noise_known(&instants->noise, i)) {
             truth[i] = holds(model, i, 0.0); /* a clause has put it there: no projection moves a value so far */
         }
@@ -159,24 +128,26 @@ lag_status lag_instants_sides(lag_instants *instants, double t, const double *x,
     return status;
 }
 
-lag_status lag_instants_keep_turning(lag_instants *instants, double t, const double *x, double *turned)
+lag_status lag_instants_find_turning(lag_instants *instants, double t, const double *x, double *turned)
 {
     const lag_model *model = instants->motion->model;
-    const double *truth = instants->motion->w + instants->motion->places.relation;
-    if (!lag_any(model->nindicator, turned)) {
-        return LAG_OK;
-    }
-    const lag_status status = find_sides(instants, t, x, instants->instant.moment);
+    double *truth = instants->motion->w + instants->motion->places.relation;
+    double *before = instants->sides.truth;
+    const int any = lag_any(model->nindicator, turned);
+    memcpy(before, truth, model->nindicator * sizeof(double));
+    const lag_status status = any ? find_sides(instants, t, x) : lag_instants_sides(instants, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = holds(model, i, instants->sides.side[i]) == (truth[i] != 0.0) ? 0.0 : turned[i];
+        const int turns = any ? turned[i] != 0.0 && holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : truth[i] != before[i];
+        turned[i] = turns;
     }
+    memcpy(truth, before, model->nindicator * sizeof(double));
     return status;
 }
 
 /* ---- series of resets ---- */
 
-/* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than `low` depths in a flight. */
-static int returns_too_slowly(lag_instants *instants, double t, const double *x, const double *turned, double flight, double low)
+/* True if a relation flagged in `turned`, which stands behind zero, comes back towards it too slowly: by less than some depths in a flight. */
+static int returns_too_slowly(lag_instants *instants, double t, const double *x, const double *turned, double flight)
 {
     const lag_model *model = instants->motion->model;
     const double *truth = instants->motion->w + instants->motion->places.relation;
@@ -188,19 +159,17 @@ static int returns_too_slowly(lag_instants *instants, double t, const double *x,
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const double rise = truth[i] != 0.0 ? -rate[i] : rate[i];
         const int stands = turned[i] != 0.0 && truth[i] != stood[i] && holds(model, i, g[i]) == (truth[i] != 0.0);
-        any = any || (stands && rise > 0.0 && rise * flight < low * fabs(g[i]));
+        any = any || (stands && rise > 0.0 && rise * flight < DEEP * fabs(g[i]));
     }
     return any;
 }
 
-int lag_instants_accumulates(
-    lag_instants *instants, double t, const double *x, const double *turned, lag_crowd *resets, double length)
+int lag_instants_accumulates(lag_instants *instants, double t, const double *x, const double *turned)
 {
+    lag_crowd *resets = &instants->resets;
     if (!instants->instant.acted) {
         return 0;
     }
-    const int crowds = lag_crowds(resets, t, length, 1);
-    const double flight = resets->ratio * resets->interval;
-    const double low = flight < SHORT * length ? LOW : DEEP;
-    return crowds || (resets->shrinking >= SERIES && returns_too_slowly(instants, t, x, turned, flight, low));
+    const int crowds = lag_crowds(resets, t, instants->contacts.length, 1);
+    return crowds || (resets->shrinking >= SERIES && returns_too_slowly(instants, t, x, turned, resets->ratio * resets->interval));
 }

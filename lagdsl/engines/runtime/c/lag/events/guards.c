@@ -18,16 +18,17 @@ static int is_closed(const lag_guards *guards, size_t k)
     return guards->motion->w[guards->motion->places.contact + k] != 0.0;
 }
 
-/* Finds the terms of all values, where `motion` is. */
-static lag_status look(lag_guards *guards)
+/* Finds the terms of all values, where `motion` is; not `with_forces` those of gaps, and of corners of places and rates. */
+static lag_status look(lag_guards *guards, int with_forces)
 {
     const lag_motion *motion = guards->motion;
     const lag_model *model = motion->model;
+    const int with_friction = with_forces && model->nfriction > 0;
     double solved = 0.0;
-    lag_status status = model->nindicator > 0 ? model->indicator(&motion->at, guards->g) : LAG_OK;
+    lag_status status = with_forces && model->nindicator > 0 ? model->indicator(&motion->at, guards->g) : LAG_OK;
     status = status == LAG_OK && model->ncontact > 0 ? lag_contacts_evaluate(guards->contacts) : status;
-    status = status == LAG_OK && model->nfriction > 0 ? lag_frictions_evaluate(guards->frictions) : status;
-    status = status == LAG_OK && model->nfriction > 0 ? lag_reserve_evaluate(guards->reserve) : status;
+    status = status == LAG_OK && with_friction ? lag_frictions_evaluate(guards->frictions) : status;
+    status = status == LAG_OK && with_friction ? lag_reserve_evaluate(guards->reserve) : status;
     return status == LAG_OK && guards->corners.count > 0 ? model->corner(&motion->at, guards->corners.far, &solved) : status;
 }
 
@@ -131,56 +132,30 @@ void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reser
 
 /* ---- looks ---- */
 
-/* True if values depend on accelerations or multipliers: relations may contain them, and closed contacts have them. */
-static int needs_forces(const lag_guards *guards)
-{
-    const lag_model *model = guards->motion->model;
-    int needs = model->nindicator > 0 || model->nfriction > 0 || (guards->corners.count > 0 && guards->corners.solved);
-    for (size_t i = 0; i < model->ncontact && !needs; ++i) {
-        needs = is_closed(guards, i);
-    }
-    return needs;
-}
-
 static int is_sought(const lag_guards *guards, size_t i)
 {
     return guards->sought == NULL || guards->sought[i] != 0.0;
 }
 
-/* True if gaps of open contacts alone are sought, which depend on no forces. */
-static int seeks_gaps(const lag_guards *guards)
+/* True if guard i may depend on accelerations or multipliers: those of open contacts do not. */
+static int may_need_forces(const lag_guards *guards, size_t i)
 {
     const lag_model *model = guards->motion->model;
-    const size_t count = guards->sought != NULL ? lag_guards_count(guards) : 0;
-    size_t i = 0;
-    while (i < count && (guards->sought[i] == 0.0 || (i - model->nindicator < model->ncontact && !is_closed(guards, i - model->nindicator)))) {
-        ++i;
-    }
-    return count > 0 && i == count;
-}
-
-static lag_status evaluate_gaps(lag_guards *guards, double t, const double *x)
-{
-    lag_motion_set_state(guards->motion, t, x);
-    const lag_status status = lag_contacts_evaluate(guards->contacts);
-    for (size_t i = guards->motion->model->nindicator; i < lag_guards_count(guards); ++i) {
-        guards->value[i] = guards->sought[i] != 0.0 ? contact(guards, i - guards->motion->model->nindicator) : 0.0;
-    }
-    return status;
+    const size_t k = i - model->nindicator; /* large for relations */
+    const int is_open = k < model->ncontact && !is_closed(guards, k);
+    return !is_open && (i < lag_guard_count(model) || guards->corners.solved);
 }
 
 static lag_status evaluate(lag_guards *guards, double t, const double *x)
 {
-    lag_status status = LAG_OK;
-    if (seeks_gaps(guards)) {
-        return evaluate_gaps(guards, t, x);
+    const size_t count = lag_guards_count(guards);
+    size_t i = 0;
+    while (i < count && !(is_sought(guards, i) && may_need_forces(guards, i))) {
+        ++i;
     }
-    if (needs_forces(guards)) {
-        status = lag_motion_solve(guards->motion, t, x);
-    } else {
-        lag_motion_set_state(guards->motion, t, x);
-    }
-    status = status == LAG_OK ? look(guards) : status;
+    lag_motion_set_state(guards->motion, t, x);
+    lag_status status = i < count ? lag_motion_solve(guards->motion, t, x) : LAG_OK;
+    status = status == LAG_OK ? look(guards, i < count) : status;
     if (status == LAG_OK) {
         take_values(guards);
     }
@@ -212,15 +187,11 @@ static int is_unclear(const lag_guards *guards, size_t i)
 static int find_dead_bands(lag_guards *guards, double t, const double *x)
 {
     const size_t count = lag_guards_count(guards);
-    size_t i = 0;
-    while (i < count && !is_unclear(guards, i)) {
-        ++i;
-    }
-    if (i == count) {
-        return 0;
-    }
     for (size_t k = 0; k < count; ++k) {
         guards->changed[k] = is_unclear(guards, k);
+    }
+    if (!lag_any(count, guards->changed)) {
+        return 0;
     }
     lag_noise_find(guards->noise, t, x);
     for (size_t k = 0; k < count; ++k) {
@@ -229,18 +200,16 @@ static int find_dead_bands(lag_guards *guards, double t, const double *x)
     return 1;
 }
 
-/* True if guard i has left its mode: it is below its dead band. One that began below zero and has left did so where it fell below its beginning. */
+/* True if guard i has left its mode: it is below its dead band. */
 static int has_left(const lag_guards *guards, size_t i)
 {
     const double value = guards->value[i];
     if (value > 0.0) {
         return 0;
     }
-    const int has_begun_below = guards->sought != NULL && guards->depth[i] > 0.0;
     const double noise = lag_guards_has_noise(guards, i) ? guards->band[i] : lag_guards_noise(guards, i);
-    const double band = has_begun_below ? 0.0 : noise;
     const int ends = ends_at_zero(guards, i) && guards->top[i] > LAG_CLEARLY * noise;
-    return -value > guards->depth[i] + band || ends;
+    return -value > guards->depth[i] + noise || ends;
 }
 
 lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)
@@ -251,12 +220,10 @@ lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)
     if (status == LAG_OK && find_dead_bands(guards, t, x)) {
         status = evaluate(guards, t, x);
     }
-    int any = 0;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         guards->changed[i] = is_sought(guards, i) && has_left(guards, i);
-        any = any || guards->changed[i] != 0.0;
     }
-    return any ? LAG_EVENT_PENDING : status;
+    return status == LAG_OK && lag_any(count, guards->changed) ? LAG_EVENT_PENDING : status;
 }
 
 lag_status lag_guards_begin(lag_guards *guards, double t, const double *x)

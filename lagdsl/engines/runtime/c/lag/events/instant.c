@@ -7,9 +7,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/order.h"
 
-/* An instant is known to so many roundings of the last step. */
-static const double ULPS = 4096.0;
-
 static void place_iteration(lag_instants *instants, const lag_model *model, lag_layout *layout)
 {
     lag_clauses *clauses = &instants->clauses;
@@ -181,10 +178,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         motion->w[instants->motion->places.initial] = 1.0;
     }
     remember(instants, x);
-    instants->sides.begins = 1;
-    status = run(instants, t, x, NULL, NULL);
-    instants->sides.begins = 0;
-    return status;
+    return run(instants, t, x, NULL, NULL);
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)
@@ -254,13 +248,6 @@ static lag_status report_time_events(lag_instants *instants, double t, const dou
     return status;
 }
 
-/* Gaps and position maps are continuous. */
-static lag_status check_positions(lag_instants *instants, double t, const double *x)
-{
-    const double moment = fmax(instants->instant.late, ULPS * DBL_EPSILON * fmax(fabs(t), instants->contacts.length));
-    return lag_instants_check_positions(instants, t, x, moment);
-}
-
 lag_status lag_instants_change_unreported(lag_instants *instants, double t, double *x, int *quiet)
 {
     int jumped = 0;
@@ -300,33 +287,6 @@ static lag_status carry_out_due(lag_instants *instants, double t, double *x)
     return status;
 }
 
-/* Relations that pass zero just now turn with the clocks that tick. */
-static lag_status turn_relations(lag_instants *instants, double t, const double *x)
-{
-    const lag_model *model = instants->motion->model;
-    const double *truth = instants->motion->w + instants->motion->places.relation;
-    memcpy(instants->discretes.before, instants->motion->w, model->nw * sizeof(double));
-    lag_status status = lag_instants_sides(instants, t, x, NULL);
-    for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        if (truth[i] != instants->discretes.before[instants->motion->places.relation + i]) {
-            status = lag_instants_report(instants, t, x, truth[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
-        }
-    }
-    return status;
-}
-
-lag_status lag_instants_tick(lag_instants *instants, double t, double *x)
-{
-    remember(instants, x);
-    lag_status status = carry_out_due(instants, t, x);
-    if (status == LAG_OK) {
-        status = turn_relations(instants, t, x);
-    }
-    instants->timed.next = (double)INFINITY;
-    status = status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
-    return status == LAG_OK ? check_positions(instants, t, x) : status;
-}
-
 /* A relation changes at an event. */
 static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
 {
@@ -337,7 +297,7 @@ static lag_status turn_relation(lag_instants *instants, double t, double *x, siz
     instants->instant.acted = instants->instant.acted || refracted;
     instants->modes.jumped = 1;
     if (status == LAG_OK && !back) {
-        status = lag_instants_turn_gaps(instants, t, x, i);
+        status = lag_instants_turn_gaps(instants, t, x);
     }
     for (size_t k = 0; k < instants->motion->model->nindicator && status == LAG_OK && !back; ++k) {
         if (k == i || (refracted && truth[k] != instants->refraction.truth[k])) {
@@ -353,13 +313,10 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     const double *truth = instants->motion->w + instants->motion->places.relation;
     remember(instants, x);
     lag_status status = ticks ? carry_out_due(instants, t, x) : LAG_OK;
-    status = ticks && status == LAG_OK ? lag_instants_keep_turning(instants, t, x, changed) : status;
-    int any = 0;
+    status = ticks && status == LAG_OK ? lag_instants_find_turning(instants, t, x, changed) : status;
+    const int any = lag_any(model->nindicator, changed);
     instants->sides.located = located ? changed : NULL;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        if (changed[i] != 0.0) {
-            any = 1;
-        }
         if (changed[i] != 0.0 && truth[i] == instants->instant.stood[instants->motion->places.relation + i]) {
             status = turn_relation(instants, t, x, i);
         }
@@ -370,11 +327,10 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     }
     instants->sides.located = NULL;
     lag_fill(model->ncontact, 0.0, instants->contacts.blows.met);
-    status = status == LAG_OK ? check_positions(instants, t, x) : status;
-    const int sunk = status == LAG_OK && any &&
-        lag_instants_accumulates(instants, t, x, changed, &instants->resets, instants->contacts.length);
-    const int crowds = lag_crowds(&instants->crowd, t, instants->contacts.length, any) || sunk;
-    if (!crowds || (status != LAG_OK && status != LAG_STOPPED)) {
+    status = status == LAG_OK ? lag_instants_check_positions(instants, t, x) : status;
+    const int sunk = located && status == LAG_OK && any && lag_instants_accumulates(instants, t, x, changed);
+    const int crowds = located && lag_crowds(&instants->crowd, t, instants->contacts.length, any);
+    if (!(sunk || crowds) || (status != LAG_OK && status != LAG_STOPPED)) {
         return status;
     }
     memcpy(instants->discretes.guilty + instants->motion->places.relation, changed, model->nindicator * sizeof(double));
@@ -385,6 +341,6 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
 
 void lag_instants_after(lag_instants *instants, double t, double h)
 {
-    instants->instant.moment = fmax(instants->instant.late, ULPS * DBL_EPSILON * fmax(fabs(t), h));
+    instants->instant.moment = lag_instants_resolution(instants, t, h);
     instants->frictions.step = h;
 }

@@ -50,7 +50,6 @@ typedef struct lag_sides {
     double *side;          /* 1 or -1; 0: they do not show it */
     double *truth;         /* before a pass turns them */
     const double *located; /* flags: they were located at their zeros, wherever a projection moves them; null: none */
-    int begins;            /* this is the start, from which no side was chosen yet */
 } lag_sides;
 
 /* States that are tried. */
@@ -129,20 +128,20 @@ void lag_instants_take_back(const lag_instants *instants, double *x);
  */
 lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, const double *before, int blow);
 
-/* The ticks of now, if there are any. */
-lag_status lag_instants_tick(lag_instants *instants, double t, double *x);
-
-/* 1: lag_instants_tick would do something. */
+/* 1: something ticks, or time changes something. */
 int lag_instants_due(const lag_instants *instants, double t);
 
 /* The instant of a tick before t that differs from t by round-off only; else t. */
 double lag_instants_same(const lag_instants *instants, double t);
 
 /*
- * Carries out the changes at t: `changed` are flags of relations, then of contacts (nindicator + ncontact); `located`: at zeros that the motion
- * passes, not by a jump of inputs. With `ticks`, also the ticks at t; flags of relations that do not turn then are cleared. LAG_CHATTER: events crowd.
+ * Carries out the changes at t: `changed` are flags of relations, then of contacts and friction; `located`: at zeros that the motion passes, not by a
+ * jump of inputs. With `ticks`, also the ticks at t; then those relations are flagged that turn by the laws from then on. LAG_CHATTER: events crowd.
  */
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int located, int ticks);
+
+/* Instants at t, in an experiment or behind a step of length h, are known to so much [s]. */
+double lag_instants_resolution(const lag_instants *instants, double t, double h);
 
 /* Events at t follow on a step of length h. */
 void lag_instants_after(lag_instants *instants, double t, double h);
@@ -165,19 +164,16 @@ lag_status lag_instants_run(lag_instants *instants, double t, double *x, const d
 lag_status lag_instants_open(lag_instants *instants, double t, const double *x);
 
 /*
- * Relation `which` has turned: closed contacts whose gap has a corner there, as a valley has, open where it leads them apart, and meet the other
+ * A relation has turned: closed contacts whose gap has a corner there, as a valley has, open where it leads them apart, and meet the other
  * side by the law of impact where it does not.
  */
-lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double *x, size_t which);
+lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double *x);
 
 /*
  * At an instant gaps do not become negative, and position maps are the same with the discretes and states of now:
- * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not. The instant is known up to a `moment` [s].
+ * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not.
  */
-lag_status lag_instants_check_positions(lag_instants *instants, double t, const double *x, double moment);
-
-/* The rates are those that belong to the discretes of now, but for constraints that take hold. */
-lag_status lag_instants_balance(lag_instants *instants, double t, double *x);
+lag_status lag_instants_check_positions(lag_instants *instants, double t, const double *x);
 
 /*
  * Relation `which` turns, with what an energy that jumps there does: 1 in *refracted, rates have changed; 1 in *back, the motion turns back, and the
@@ -187,17 +183,15 @@ lag_status lag_instants_cross(lag_instants *instants, double t, double *x, size_
 
 /*
  * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from
- * now on: one that stays at zero turns if it holds there, as `f >= 3 N` of a force that rises to 3 N.
+ * now on: one that stays at zero turns if it holds there, as `f >= 3 N` of a force that rises to 3 N. If there are none, all that turn are flagged.
  */
-lag_status lag_instants_keep_turning(lag_instants *instants, double t, const double *x, double *turned);
+lag_status lag_instants_find_turning(lag_instants *instants, double t, const double *x, double *turned);
 
 /*
- * Asked at each event of an importer: true if `resets` throw one of the relations flagged in `turned`, which has changed, back across its zero
- * for shorter and shorter times, and the next one is too short to come back from where this one was found. The relation would not change any more, and the
- * motion would go on behind it.
+ * True if resets throw one of the relations flagged in `turned`, which has changed, back across its zero for shorter and shorter times, and the next one is
+ * too short to come back from where this one was found. The relation would not change any more, and the motion would go on behind it.
  */
-int lag_instants_accumulates(
-    lag_instants *instants, double t, const double *x, const double *turned, lag_crowd *resets, double length);
+int lag_instants_accumulates(lag_instants *instants, double t, const double *x, const double *turned);
 
 /* Tells that something happened. */
 lag_status lag_instants_report(const lag_instants *instants, double t, const double *x, lag_event_kind what, size_t which);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/linalg/slope.h"
 #include "lag/linalg/vector.h"
 
 /* Relative change of the numbers: so many roundings of each are round-off. A larger one could lead across a jump that is near. */
@@ -14,6 +13,8 @@ static const double CHANGE = 16.0 * DBL_EPSILON;
 static const double HELD = 1e-9;
 /* Places are changed by this part of themselves to look at them. */
 static const double NUDGE = 1e-11;
+/* Rates of inputs are differences over this part of the experiment, both ways: signals are polynomials in pieces. */
+static const double APART = 1e-7;
 /* Multiples of these are irregular. */
 static const double IRRATIONAL[] = {0.6180339887498949, 0.4142135623730951};
 enum { CHANGES = sizeof IRRATIONAL / sizeof IRRATIONAL[0] };
@@ -45,6 +46,7 @@ void lag_noise_place(lag_noise *noise, lag_contacts *contacts, lag_layout *layou
     /* rates of inputs, accelerations and multipliers are not known here: derivatives that read them are no numbers */
     const double *none = lag_lay_filled(layout, unknown, (double)NAN);
     motion->at.du = motion->at.dqdd = motion->at.dlam = none;
+    motion->at.dz = noise->dz = lag_lay(layout, model->nz);
 }
 
 /* An irregular part of number i in change k: 0.5 to 1, of either sign. */
@@ -66,9 +68,8 @@ static lag_status evaluate_all(lag_noise *noise, double t, const double *x, doub
     if (status == LAG_OK && model->nindicator > 0) {
         status = model->indicator(&motion->at, values);
     }
-    if (model->indicator_rate == NULL) {
-        lag_fill(2 * model->nindicator, (double)NAN, rates);
-    } else if (status == LAG_OK) {
+    status = status == LAG_OK && model->nz > 0 ? model->state_derivative(&motion->at, noise->dz) : status;
+    if (status == LAG_OK && model->nindicator > 0) {
         status = model->indicator_rate(&motion->at, rates, rates + model->nindicator);
     }
     return status == LAG_OK && model->ncorner > 0 ? model->corner(&motion->at, values + model->nindicator, &solved) : status;
@@ -130,12 +131,13 @@ static lag_status change_at(lag_noise *noise, double t, const double *x, unsigne
     return status;
 }
 
-void lag_noise_find(lag_noise *noise, double t, const double *x)
+lag_status lag_noise_find(lag_noise *noise, double t, const double *x)
 {
     const lag_model *model = noise->motion->model;
     lag_contacts_follow(noise->contacts, x);
-    if (all_of(model) == 0 || lag_noise_update(noise, t, x) != LAG_OK) {
-        return;
+    const lag_status status = all_of(model) > 0 ? lag_noise_update(noise, t, x) : LAG_OK;
+    if (all_of(model) == 0 || status != LAG_OK) {
+        return status;
     }
     for (size_t i = 0; i < all_of(model); ++i) {
         noise->sigma[i] = least_of(noise, i);
@@ -149,6 +151,7 @@ void lag_noise_find(lag_noise *noise, double t, const double *x)
             noise->sigma[i] = by > noise->sigma[i] && isfinite(by) ? by : noise->sigma[i];
         }
     }
+    return LAG_OK;
 }
 
 double lag_noise_known(const lag_noise *noise, size_t which)
@@ -228,57 +231,46 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
 
 /* ---- gradients ---- */
 
-/* A line through x: along coordinate or rate j, or, behind them, along time with the states, the positions held. */
-typedef struct lag_line {
-    lag_noise *noise;
-    double t;
-    const double *x, *rate;
-    size_t which, j;
-} lag_line;
-
-/* The indicator there, with accelerations and multipliers as they are; not a number where there is none. */
-static double along_line(void *context, double by)
+/* Rates of the inputs at time t, into noise->u: by the signals that tell them; of inputs that are set, zero. */
+static void find_input_rates(lag_noise *noise, double t, const double *x)
 {
-    const lag_line *line = context;
-    lag_motion *motion = line->noise->motion;
-    const size_t count = 2 * motion->model->nq;
-    double *point = line->noise->point;
-    memcpy(point, line->x, lag_motion_size(motion->model) * sizeof(double));
-    if (line->j < count) {
-        point[line->j] += by;
-    } else {
-        lag_axpy(motion->model->nz, by, line->rate + count, point + count);
+    lag_motion *motion = noise->motion;
+    const double by = APART * fmax(fabs(t), noise->contacts->length);
+    lag_motion_set_state(motion, t + by, x);
+    memcpy(noise->u, motion->u, motion->model->nu * sizeof(double));
+    lag_motion_set_state(motion, t - by, x);
+    lag_axpy(motion->model->nu, -1.0, motion->u, noise->u);
+    for (size_t i = 0; i < motion->model->nu; ++i) {
+        noise->u[i] = by > 0.0 ? noise->u[i] / (2.0 * by) : 0.0;
     }
-    lag_motion_set_state(motion, line->j < count ? line->t : line->t + by, point);
-    return motion->model->indicator(&motion->at, line->noise->other) == LAG_OK ? line->noise->other[line->which] : (double)NAN;
+    lag_motion_set_state(motion, t, x);
 }
 
-int lag_noise_differentiate(
-    lag_noise *noise, double t, const double *x, size_t which, const double *rate, double length, double *gradient, double *drift)
+int lag_noise_differentiate(lag_noise *noise, double t, const double *x, size_t which, double *gradient, double *drift)
 {
     const lag_model *model = noise->motion->model;
     const size_t n = model->nq;
-    lag_line line = {.noise = noise, .t = t, .x = x, .rate = rate, .which = which};
-    lag_slope slope = {.here = noise->value[which], .noise = noise->sigma[which]};
-    double largest[2] = {0.0, 0.0}; /* coordinate and rate */
+    double *direction = noise->point;
+    double *rate = noise->other;
+    double *second = noise->other + model->nindicator; /* of no use here */
     int by_place = 0;
-    int by_rates = 0;
-    for (size_t j = 0; j < 2 * n; ++j) {
-        largest[j / n] = fmax(largest[j / n], lag_noise_extent(noise, x, j));
+    find_input_rates(noise, t, x);
+    lag_arguments at = noise->motion->at;
+    at.du = noise->u;
+    at.qd = direction;
+    at.qdd = at.dqdd; /* one that reads rates has no rate then */
+    lag_fill(lag_motion_size(model), 0.0, direction);
+    lag_status status = model->indicator_rate(&at, rate, second);
+    *drift = rate[which];
+    at.dz = direction + 2 * n;
+    status = status == LAG_OK ? model->indicator_rate(&at, rate, second) : status;
+    const double rest = rate[which];
+    for (size_t j = 0; j < n && status == LAG_OK; ++j) {
+        direction[j] = lag_noise_extent(noise, x, j);
+        status = model->indicator_rate(&at, rate, second);
+        gradient[j] = (rate[which] - rest) / direction[j];
+        by_place = by_place || gradient[j] != 0.0;
+        direction[j] = 0.0;
     }
-    for (line.j = 0; line.j < 2 * n; ++line.j) {
-        slope.unit = lag_noise_extent(noise, x, line.j);
-        slope.most = largest[line.j / n];
-        lag_slope_find(&slope, along_line, &line);
-        if (line.j < n) {
-            gradient[line.j] = slope.value;
-            by_place = by_place || slope.value != 0.0;
-        } else {
-            by_rates = by_rates || slope.shows;
-        }
-    }
-    slope.unit = slope.most = fmax(fabs(t), length);
-    lag_slope_find(&slope, along_line, &line);
-    *drift = slope.value;
-    return isfinite(*drift) && by_place && !by_rates;
+    return status == LAG_OK && isfinite(*drift) && by_place;
 }

@@ -2,7 +2,6 @@
  * Round-off of the indicators of a model, and of the distances of its corners, at a state. A number x enters an indicator g with a relative error
  * of the unit round-off eps, so g is known to about eps |dg/dx x|: only what enters g counts, in its own units. Numbers are states, inputs and the
  * time. The derivatives are differences along two changes of all numbers at once, each by its own irregular part: what two numbers do does not cancel.
- * Gradients, where a step needs them, take a difference for each number.
  */
 #ifndef LAG_NOISE_H
 #define LAG_NOISE_H
@@ -19,6 +18,7 @@ typedef struct lag_noise {
     lag_contacts *contacts;
     const double *peak;   /* (2 nq + nz + nu) largest magnitude of each number so far: theirs */
     double *point, *u;    /* (2 nq + nz) (nu) */
+    double *dz;           /* (nz) rates of states */
     double *value, *other, *opposite; /* (3 nindicator + ncorner) indicators, distances, rates and accelerations of indicators */
     double *sigma;        /* the same: round-off, as it was found last; zero: not yet */
     double *largest;      /* (2 nindicator) rates and accelerations of indicators that were largest so far */
@@ -30,7 +30,7 @@ void lag_noise_place(lag_noise *noise, lag_contacts *contacts, lag_layout *layou
 lag_status lag_noise_update(lag_noise *noise, double t, const double *x);
 
 /* Values and sigma at x at time t. The state that `motion` was evaluated at last is another one afterwards. */
-void lag_noise_find(lag_noise *noise, double t, const double *x);
+lag_status lag_noise_find(lag_noise *noise, double t, const double *x);
 
 /* Error of indicator `which` if the numbers have the relative one of the tolerance; after lag_noise_find. */
 double lag_noise_known(const lag_noise *noise, size_t which);
@@ -45,10 +45,9 @@ void lag_noise_hold(lag_noise *noise, lag_projection *projection, double t, cons
 double lag_noise_extent(const lag_noise *noise, const double *x, size_t j);
 
 /*
- * After lag_noise_find: the gradient (nq) by q of indicator `which`, with accelerations and multipliers as they are, and *drift, its rate with time and
- * states, which have the `rate` (2 nq + nz), the positions held. 0: it depends on rates, or not on positions. `length` of the experiment [s].
+ * After lag_noise_find: the gradient (nq) by q of indicator `which`, and *drift, its rate with time, inputs and states, the positions held, from its rate
+ * in the directions of single coordinates. 0: it depends on rates, or not on positions.
  */
-int lag_noise_differentiate(
-    lag_noise *noise, double t, const double *x, size_t which, const double *rate, double length, double *gradient, double *drift);
+int lag_noise_differentiate(lag_noise *noise, double t, const double *x, size_t which, double *gradient, double *drift);
 
 #endif

@@ -18,7 +18,7 @@ static const double ALONG = 1e-6;
 static const double NEAR = 1e-9;
 /* It has its least value where half of the square of the rate of g is this part of what the energy lacks. */
 static const double FLAT = 1e-6;
-enum { MOST_STEPS = 100, MOST_HALVES = 60 };
+enum { MOST_STEPS = 100 };
 
 /* The side from which the motion comes. */
 typedef struct lag_side {
@@ -31,12 +31,11 @@ void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *
 {
     const lag_model *model = contacts->motion->model;
     *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise};
-    lag_lay_all(layout, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, &r->aim, NULL});
-    lag_lay_all(layout, lag_motion_size(model), (double **const[]){&r->point, &r->rate, NULL});
+    lag_lay_all(layout, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, NULL});
+    r->rate = lag_lay(layout, lag_motion_size(model));
     lag_lay_all(layout, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
     r->rows = lag_lay(layout, model->nc * model->nq);
     r->speeds = lag_lay(layout, model->nc);
-    r->gap_speeds = lag_lay(layout, model->ngap);
 }
 
 /* ---- both sides ---- */
@@ -92,21 +91,24 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
     memcpy(r->other, truth, model->nindicator * sizeof(double));
 }
 
-/* Evaluates this side, then the other one; 1 in *differ: they are not the same. Most relations are in forces only. */
-static lag_status compare_sides(lag_refraction *r, double t, const double *x, size_t which, lag_side *side, double *size, int *differ)
+/*
+ * Evaluates this side, then the other one, with its energy in *after, and the size of both energies; 1 in *differ: they are not the same. Most
+ * relations are in forces only.
+ */
+static lag_status compare_sides(lag_refraction *r, double t, const double *x, size_t which, lag_side *side, double *after, double *size, int *differ)
 {
     const lag_model *model = r->motion->model;
     const lag_impulse *impulse = r->impulse;
-    double after = 0.0;
     double other = 0.0;
     lag_status status = evaluate_side(r, t, x, &side->energy, size);
     memcpy(r->rows, impulse->jacobian, model->nc * model->nq * sizeof(double));
     memcpy(r->speeds, impulse->residual, model->nc * sizeof(double));
     memcpy(r->before, impulse->now, model->nq * sizeof(double));
     turn_relation(r, t, x, which);
-    status = status == LAG_OK ? evaluate_side(r, t, x, &after, &other) : status;
+    status = status == LAG_OK ? evaluate_side(r, t, x, after, &other) : status;
     set_relations(r, r->truth);
-    *differ = side->energy != after || !lag_same(model->nq, r->before, impulse->now) || !lag_same(model->nc, r->speeds, impulse->residual) ||
+    *size = fmax(*size, other);
+    *differ = side->energy != *after || !lag_same(model->nq, r->before, impulse->now) || !lag_same(model->nc, r->speeds, impulse->residual) ||
         !lag_same(model->nc * model->nq, r->rows, impulse->jacobian);
     return status;
 }
@@ -155,17 +157,7 @@ static int rows_bend(const lag_refraction *r, const double *x, double drift)
 
 /* ---- the impulse problem with the step ---- */
 
-/* Rates of gaps on this side: a gap with a corner at the step meets the other side by the law of impact. */
-static lag_status find_gap_speeds(lag_refraction *r, double t, const double *x)
-{
-    const size_t count = r->motion->model->ncontact;
-    const int any = lag_any(count, r->motion->w + r->motion->places.contact);
-    const lag_status status = any ? lag_contacts_evaluate_at(r->contacts, t, x) : LAG_OK;
-    memcpy(r->gap_speeds, r->contacts->speed, count * sizeof(double));
-    return status;
-}
-
-/* Closed contacts at x as rows of the impulse problem that push. */
+/* Closed contacts at x as rows of the impulse problem that push; a gap with a corner at the step meets the other side by the law of impact. */
 static lag_status add_contacts(lag_refraction *r, double t, const double *x)
 {
     lag_contacts *contacts = r->contacts;
@@ -176,7 +168,7 @@ static lag_status add_contacts(lag_refraction *r, double t, const double *x)
     }
     const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
     for (size_t i = 0; i < model->ncontact && status == LAG_OK; ++i) {
-        const int bends = fabs(contacts->speed[i] - r->gap_speeds[i]) > lag_contacts_speed_band(contacts, i);
+        const int bends = fabs(contacts->speed[i]) > lag_contacts_speed_band(contacts, i);
         if (*lag_contacts_flag(contacts, i) != 0.0 && !bends) {
             lag_contacts_add_to_blow(contacts, i, 0.0);
         }
@@ -222,24 +214,13 @@ static double impulse_to_root(const lag_energy_balance *b)
     return b->speed > 0.0 ? -2.0 * b->rest / (b->speed + sqrt(under)) : (sqrt(under) - b->speed) / b->slope;
 }
 
-/* Rates with an impulse `by` more along the gradient, or a part of it where there are no rates for all of it; *by: as much as that. */
-static lag_status add_impulse(lag_refraction *r, double t, double *x, double sense, double *by)
+/* Rates with an impulse `by` more along the gradient. */
+static lag_status add_impulse(lag_refraction *r, double t, double *x, double by)
 {
-    const size_t n = r->motion->model->nq;
-    const size_t size = lag_motion_size(r->motion->model);
     lag_inequalities *rows = r->contacts->blows.rows.size > 0 ? &r->contacts->blows.rows : NULL;
-    lag_status status = LAG_MOMENTUM_UNREACHABLE;
     int jumped = 0;
-    memcpy(r->point, x, size * sizeof(double));
-    memcpy(r->aim, r->impulse->before, n * sizeof(double));
-    for (int k = 0; k < MOST_HALVES && status == LAG_MOMENTUM_UNREACHABLE; ++k) {
-        *by *= k > 0 ? 0.5 : 1.0;
-        memcpy(x, r->point, size * sizeof(double));
-        memcpy(r->impulse->before, r->aim, n * sizeof(double));
-        lag_axpy(n, sense * *by, r->gradient, r->impulse->before);
-        status = lag_impulse_balance(r->impulse, t, x, NULL, rows, &jumped);
-    }
-    return status;
+    lag_axpy(r->motion->model->nq, by, r->gradient, r->impulse->before);
+    return lag_impulse_balance(r->impulse, t, x, NULL, rows, &jumped);
 }
 
 /* 1: impulses of the constraints give any rate of g: the motion along the gradient is determined. */
@@ -274,7 +255,7 @@ static lag_status find_rates(lag_refraction *r, double t, const double *x, const
     memcpy(r->impulse->before, r->before, n * sizeof(double));
     memcpy(r->impulse->rates, x + n, n * sizeof(double));
     lag_status status = add_contacts(r, t, x);
-    status = status == LAG_OK ? add_impulse(r, t, r->rate, side->sense, &by) : status;
+    status = status == LAG_OK ? add_impulse(r, t, r->rate, 0.0) : status;
     if (status != LAG_OK) {
         return status;
     }
@@ -302,7 +283,7 @@ static lag_status find_rates(lag_refraction *r, double t, const double *x, const
         if (!last && !(u + by > low && u + by < high)) {
             by = 0.5 * (low + high) - u;
         }
-        status = add_impulse(r, t, r->rate, side->sense, &by);
+        status = add_impulse(r, t, r->rate, side->sense * by);
         if (last) {
             *found = status == LAG_OK;
             lag_contacts_keep_blow(r->contacts);
@@ -321,28 +302,25 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
     lag_side side = {.sense = truth[which] == 0.0 ? 1.0 : -1.0};
     double after = 0.0;
     double size = 0.0;
-    double other = 0.0;
     int differ = 0;
     *refracted = *back = 0;
-    lag_status status = motion->model->energies != NULL ? compare_sides(r, t, x, which, &side, &size, &differ) : LAG_OK;
+    lag_status status = motion->model->energies != NULL ? compare_sides(r, t, x, which, &side, &after, &size, &differ) : LAG_OK;
     if (status != LAG_OK || !differ) { /* without energies nothing is known of one that jumps */
         return status;
     }
     lag_noise_find(r->noise, t, x);
     const double g = r->noise->value[which];
     const lag_status moves = motion->ode.rates(motion, t, x, r->rate);
-    if (moves != LAG_OK || !isfinite(g) || !lag_noise_differentiate(r->noise, t, x, which, r->rate, r->contacts->length, r->gradient, &side.drift)) {
+    if (moves != LAG_OK || !isfinite(g) || !lag_noise_differentiate(r->noise, t, x, which, r->gradient, &side.drift)) {
         return LAG_OK; /* where there are no accelerations, passes tell */
     }
     const double speed = lag_dot(n, r->gradient, x + n) + side.drift;
     const double pull = side.sense * lag_dot(n, r->gradient, r->rate + n);
     const double noise = FEW * r->noise->sigma[which];
     const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, noise);
-    status = find_gap_speeds(r, t, x);
     memcpy(r->impulse->before, r->before, n * sizeof(double));
     set_relations(r, r->other);
-    status = status == LAG_OK ? evaluate_side(r, t, x, &after, &other) : status;
-    const int jumps = fabs(after - side.energy) > JUMP * fmax(size, other) || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
+    const int jumps = fabs(after - side.energy) > JUMP * size || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
     status = status == LAG_OK && jumps && is_there ? find_rates(r, t, x, &side, refracted) : status;
     truth[which] = r->truth[which];
     if (!*refracted) {

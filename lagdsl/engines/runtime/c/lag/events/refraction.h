@@ -29,10 +29,8 @@ typedef struct lag_refraction {
     double *gradient;       /* (nq) of g */
     double *along;          /* (nq) change of the rates for mu = 1 */
     double *before;         /* (nq) momenta on this side */
-    double *aim;            /* (nq) momenta for the impulse so far */
     double *rows, *speeds;  /* (nc, nq) (nc) of the constraints on this side: J, J qd + b */
-    double *gap_speeds;     /* (ngap) on this side */
-    double *point, *rate;   /* (2 nq + nz) */
+    double *rate;           /* (2 nq + nz) */
     double *g, *own;        /* (nindicator) (nindicator) */
     double *truth, *other;  /* (nindicator) relations on this side, and on the other one */
 } lag_refraction;

@@ -7,9 +7,12 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/root.h"
+#include "lag/linalg/vector.h"
 
-/* Changes so many units in the last place apart are one. */
+/* Changes so many units in the last place apart are one, */
 static const double ULPS = 16.0;
+/* and a change that is lost in round-off there is looked for behind, in doubled distances. */
+enum { FARTHER = 8 };
 /* The experiment is looked over in so many parts for zeros of what is not affine, */
 static const double PARTS = 64.0;
 /* each of them halved at most so often, */
@@ -22,8 +25,7 @@ void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout)
     const lag_model *model = motion->model;
     *timed = (lag_timed){.motion = motion, .next = (double)INFINITY};
     lag_lay_all(layout, model->ntimed, (double **const[]){&timed->value, &timed->told, &timed->before, NULL});
-    lag_lay_all(layout, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->change,
-        &timed->old_distance, &timed->old_rate, &timed->zero, NULL});
+    lag_lay_all(layout, model->ndistance, (double **const[]){&timed->distance, &timed->rate, &timed->affine, &timed->entry, &timed->zero, NULL});
 }
 
 static lag_status evaluate(lag_timed *timed, double t)
@@ -31,7 +33,7 @@ static lag_status evaluate(lag_timed *timed, double t)
     lag_motion *motion = timed->motion;
     motion->at.t = t;
     return motion->model->time_event(
-        &motion->at, timed->value, timed->told, timed->distance, timed->rate, timed->affine, timed->entry, timed->change);
+        &motion->at, timed->value, timed->told, timed->distance, timed->rate, timed->affine, timed->entry);
 }
 
 /* Times nearer to each other than this are one. */
@@ -249,48 +251,34 @@ lag_status lag_timed_find_next(lag_timed *timed, double t)
     return status;
 }
 
-/* Distance i has reached zero by its line, and the entry that it belongs to is what it was: the change is lost in round-off. */
-static int is_lost(const lag_timed *timed, size_t i, double later)
+/* True if a line has led a distance to zero, and the entry that it belongs to is what it was: the change is lost in round-off. */
+static int is_lost(const lag_timed *timed, double later)
 {
-    const size_t count = timed->motion->model->ntimed;
+    const lag_model *model = timed->motion->model;
     const double *w = timed->motion->w + timed->motion->places.timed;
-    const int known = timed->entry[i] >= 0.0 && timed->entry[i] < (double)count;
-    const int reached = timed->affine[i] != 0.0 && timed->zero[i] <= later;
-    return known && reached && w[(size_t)timed->entry[i]] == timed->before[(size_t)timed->entry[i]];
+    for (size_t i = 0; i < model->ndistance; ++i) {
+        const int known = timed->entry[i] >= 0.0 && timed->entry[i] < (double)model->ntimed;
+        const int reached = timed->affine[i] != 0.0 && timed->zero[i] <= later;
+        if (known && reached && w[(size_t)timed->entry[i]] == timed->before[(size_t)timed->entry[i]]) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 lag_status lag_timed_change(lag_timed *timed, double t)
 {
-    const lag_model *model = timed->motion->model;
     const double later = lag_timed_behind(timed, t);
-    double *w = timed->motion->w + timed->motion->places.timed;
-    int lost = 0;
+    double by = later - t;
     lag_delays_change(&timed->motion->delays, later);
     if (timed->next <= later) {
         timed->motion->delays.pieces.level = 0;
     }
-    if (model->ntimed == 0) {
-        return LAG_OK;
-    }
-    memcpy(timed->before, w, model->ntimed * sizeof(double));
-    lag_status status = evaluate(timed, later);
-    memcpy(w, timed->value, model->ntimed * sizeof(double));
-    for (size_t i = 0; i < model->ndistance; ++i) {
-        lost = lost || is_lost(timed, i, later);
-    }
-    if (!lost || status != LAG_OK) {
-        return status;
-    }
-    memcpy(timed->old_distance, timed->distance, model->ndistance * sizeof(double));
-    memcpy(timed->old_rate, timed->rate, model->ndistance * sizeof(double));
-    status = evaluate(timed, later);
-    for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
-        /* by a line that changes here, as that of a tent at its top, nothing was to come */
-        const int goes_on = timed->distance[i] == timed->old_distance[i] && timed->rate[i] == timed->old_rate[i];
-        if (is_lost(timed, i, later) && goes_on) {
-            const size_t which = (size_t)timed->entry[i];
-            w[which] = timed->change[i] != 0.0 ? w[which] + timed->change[i] : 1.0 - w[which];
-        }
+    lag_copy(timed->motion->model->ntimed, timed->motion->w + timed->motion->places.timed, timed->before);
+    lag_status status = lag_timed_set(timed, later);
+    for (int k = 0; k < FARTHER && status == LAG_OK && is_lost(timed, later); ++k) { /* a tent at its top never changes */
+        by *= 2.0;
+        status = lag_timed_set(timed, t + by);
     }
     return status;
 }

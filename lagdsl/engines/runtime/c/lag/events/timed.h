@@ -19,9 +19,8 @@ typedef struct lag_timed {
     double next;                              /* time of the next change, or up to which there is none */
     double *value, *told;                     /* (ntimed) */
     double *before;                           /* (ntimed) the entries before the last change */
-    double *distance, *rate, *affine, *entry, *change; /* (ndistance) */
+    double *distance, *rate, *affine, *entry; /* (ndistance) */
     double *zero;                             /* (ndistance) the time at which it reaches zero */
-    double *old_distance, *old_rate;          /* (ndistance) with the entries before the change */
 } lag_timed;
 
 void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout);

@@ -4,12 +4,11 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/vector.h"
 #include "lag/run.h"
 #include "lag/run/scan.h"
 
 enum { SAMPLES = LAG_LAST_SAMPLE, TURNS = 8, PATTERNS = 3 };
-/* Of a corner that is nearer to the beginning of a step than this part of its change the side is what it is a moment later. */
-static const double BESIDE = 1e-6;
 /* Times that differ by so many times the tolerance of roots are one here; a moment is as long. */
 static const double TOGETHER = 4.0 * 8.0;
 
@@ -95,28 +94,26 @@ static int are_known(lag_run *run)
     return known;
 }
 
-/* The difference of the largest and the smallest distance of corner i. */
-static double range_of(const lag_run *run, size_t i)
+/* The smallest and the largest distance of a corner in a step. */
+typedef struct lag_extent {
+    double least, most;
+} lag_extent;
+
+static lag_extent extent_of(const lag_run *run, size_t i)
 {
-    double least = run->guards.pieces.seen[0][i];
-    double most = least;
+    lag_extent seen = {run->guards.pieces.seen[0][i], run->guards.pieces.seen[0][i]};
     for (int k = 1; k <= SAMPLES; ++k) {
-        least = fmin(least, run->guards.pieces.seen[k][i]);
-        most = fmax(most, run->guards.pieces.seen[k][i]);
+        seen.least = fmin(seen.least, run->guards.pieces.seen[k][i]);
+        seen.most = fmax(seen.most, run->guards.pieces.seen[k][i]);
     }
-    return most - least;
+    return seen;
 }
 
-/* True if the value changes by more than its distance from zero. A value that is not a number may be a corner, too. */
+/* True if the distance of corner i passes zero, or changes by more than it is. A value that is not a number may be a corner, too. */
 static int is_near(const lag_run *run, size_t i)
 {
-    double nearest = fabs(run->guards.pieces.seen[0][i]);
-    int changes = 0;
-    for (int k = 1; k <= SAMPLES; ++k) {
-        nearest = fmin(nearest, fabs(run->guards.pieces.seen[k][i]));
-        changes = changes || (run->guards.pieces.seen[k][i] < 0.0) != (run->guards.pieces.seen[0][i] < 0.0);
-    }
-    return changes || !(nearest >= range_of(run, i));
+    const lag_extent seen = extent_of(run, i);
+    return !(fmax(seen.least, -seen.most) >= seen.most - seen.least);
 }
 
 /*
@@ -135,31 +132,10 @@ static lag_status leave_out(lag_run *run)
         }
         status = status == LAG_OK ? evaluate_distances(run, s->t_before, run->point, guards->corners.far) : status;
         for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-            guards->corners.side[i] = range_of(run, i) <= fabs(guards->corners.far[i] - guards->pieces.seen[0][i]) ? 0.0 : guards->corners.side[i];
+            const lag_extent seen = extent_of(run, i);
+            const int is_at_rest = seen.most - seen.least <= fabs(guards->corners.far[i] - guards->pieces.seen[0][i]);
+            guards->corners.side[i] = is_at_rest ? 0.0 : guards->corners.side[i];
         }
-    }
-    return status;
-}
-
-/* Distances where the motion goes from x with rates f in a time. */
-static lag_status probe_distances(lag_run *run, double t, const double *x, const double *f, double after, double *far)
-{
-    for (size_t i = 0; i < run->stepper.ode->size; ++i) {
-        run->point[i] = x[i] + after * f[i];
-    }
-    return evaluate_distances(run, t + after, run->point, far);
-}
-
-/* On which side each of them is as the step begins: that of a moment later where it is about to pass zero. */
-static lag_status find_sides(lag_run *run)
-{
-    const lag_stepper *s = &run->stepper;
-    lag_corners *corners = &run->guards.corners;
-    const lag_status status = probe_distances(run, s->t_before, s->x_before, s->f_before, probe_step(run), corners->far);
-    for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-        const double here = run->guards.pieces.seen[0][i];
-        const int is_beside = fabs(here) <= BESIDE * range_of(run, i) && corners->far[i] != 0.0;
-        corners->side[i] = corners->side[i] == 0.0 ? 0.0 : (is_beside ? corners->far[i] : here) < 0.0 ? -1.0 : 1.0;
     }
     return status;
 }
@@ -167,7 +143,6 @@ static lag_status find_sides(lag_run *run)
 lag_status lag_run_face_corners(lag_run *run)
 {
     const size_t count = run->motion.model->ncorner;
-    int near = 0;
     run->guards.corners.count = 0;
     if (!is_careful(run)) {
         return LAG_OK;
@@ -175,15 +150,12 @@ lag_status lag_run_face_corners(lag_run *run)
     lag_status status = sample(run);
     const int known = status == LAG_OK && are_known(run);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        run->guards.corners.side[i] = !known || is_near(run, i);
-        near = near || run->guards.corners.side[i] != 0.0;
+        const int is_sought = !known || is_near(run, i);
+        run->guards.corners.side[i] = !is_sought ? 0.0 : run->guards.pieces.seen[0][i] < 0.0 ? -1.0 : 1.0;
     }
-    if (near) {
+    if (status == LAG_OK && lag_any(count, run->guards.corners.side)) {
         status = leave_out(run);
-    }
-    if (near && status == LAG_OK && lag_any(count, run->guards.corners.side)) {
-        run->guards.corners.count = count;
-        status = find_sides(run);
+        run->guards.corners.count = status == LAG_OK && lag_any(count, run->guards.corners.side) ? count : 0;
     }
     return status;
 }
@@ -265,6 +237,16 @@ int lag_run_is_at_end(const lag_run *run, double corner)
     return corner >= run->stepper.t - 2.0 * probe_step(run);
 }
 
+/* The state on a straight line some roundings of time behind the last step, into run->point; its time. */
+static double go_past(lag_run *run)
+{
+    const lag_stepper *s = &run->stepper;
+    const double after = PASSED * probe_step(run);
+    memcpy(run->point, s->x, s->ode->size * sizeof(double));
+    lag_axpy(s->ode->size, after, s->f, run->point);
+    return s->t + after;
+}
+
 int lag_run_meets_corner(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
@@ -274,11 +256,10 @@ int lag_run_meets_corner(lag_run *run)
         return 0;
     }
     lag_status status = evaluate_distances(run, s->t, s->x, guards->pieces.seen[0]);
-    status = status == LAG_OK ? probe_distances(run, s->t, s->x, s->f, PASSED * probe_step(run), guards->corners.far) : status;
-    if (status == LAG_OK) {
-        for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-            meets = meets || (guards->corners.far[i] < 0.0) != (guards->pieces.seen[0][i] < 0.0);
-        }
+    const double t = go_past(run);
+    status = status == LAG_OK ? evaluate_distances(run, t, run->point, guards->corners.far) : status;
+    for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
+        meets = meets || (guards->corners.far[i] < 0.0) != (guards->pieces.seen[0][i] < 0.0);
     }
     return meets;
 }
@@ -286,13 +267,10 @@ int lag_run_meets_corner(lag_run *run)
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
-    const double t = s->t + PASSED * probe_step(run);
+    const double t = go_past(run);
     run->guards.corners.count = 0;
     if (!(t < limit)) {
         return;
-    }
-    for (size_t i = 0; i < s->ode->size; ++i) {
-        run->point[i] = s->x[i] + (t - s->t) * s->f[i];
     }
     if (lag_guards_count(&run->guards) > 0 && lag_guards_detect(&run->guards, t, run->point) != LAG_OK) {
         return; /* something happens on the way */

@@ -97,11 +97,11 @@ static lag_status enter(lag_run *run)
 static lag_status keep_turning(lag_run *run, double *changed)
 {
     const double until = run->motion.until;
-    if (run->stepper.t < until) {
+    if (run->stepper.t < until || !lag_any(run->motion.model->nindicator, changed)) {
         return LAG_OK;
     }
     run->motion.until = (double)INFINITY;
-    const lag_status status = lag_instants_keep_turning(&run->instants, run->stepper.t, run->stepper.x, changed);
+    const lag_status status = lag_instants_find_turning(&run->instants, run->stepper.t, run->stepper.x, changed);
     run->motion.until = until;
     return status;
 }
@@ -176,7 +176,8 @@ static lag_status tick(lag_run *run)
         lag_instants_take_back(&run->instants, s->x);
     }
     status = begin(run, NULL);
-    return status == LAG_OK ? end_with_relations(run, lag_instants_tick(&run->instants, s->t, s->x)) : status;
+    lag_fill(lag_guard_count(run->motion.model), 0.0, run->guards.changed);
+    return status == LAG_OK ? end_with_relations(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->guards.changed, 0, 1)) : status;
 }
 
 /* Relations, conditions and values that `pre` reads that are other with the inputs of now; closed contacts that pull. */

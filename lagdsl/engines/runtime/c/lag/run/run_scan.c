@@ -12,16 +12,8 @@ enum { LAST = LAG_LAST_SAMPLE, AGAIN = 16 };
 static const double FIRST = 0.25;
 /* A piece is no shorter than this part of its step. */
 static const double SHORTEST = 0x1p-24;
-/* A minimum that is so near to the beginning of the step has just happened. */
-static const double BEGINNING = 0.01;
-/* The last piece of a step may be longer by this factor. */
-static const double LAST_STRETCH = 1.2;
-/* A piece that is shorter than it was to be by more than this part was cut at the end of a step; by less, times were rounded. */
-static const double CUT = 0.01;
 /* Behind a change pieces are no longer than so many times the time since the last change of the same relation: samples do not step over two. */
 static const double INTERVALS = 3.0;
-/* Changes that follow each other within this part of the experiment crowd: nothing is gained by a search for each of them. */
-static const double CROWDED = 1e-6;
 /* Values below so many times their round-off have no shape. */
 static const double SHAPELESS = 1e3;
 
@@ -63,7 +55,7 @@ static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, 
     }
     for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
-        if (!(*t > run->stepper.t_before + BEGINNING * (place_of(in, 1) - in->a)) || !(*t < place_of(in, k))) {
+        if (!(*t > run->stepper.t_before) || !(*t < place_of(in, k))) {
             return LAG_OK;
         }
         const lag_status status = lag_scan_detect(run, *t);
@@ -165,20 +157,19 @@ typedef struct scan {
     double a, reach, shortest, longest;
 } scan;
 
-/* 1: the piece is known as well as it can be; what it is to be otherwise is in `reach`. */
+/* 1: the piece is known as well as it can be; in `reach`, how long the next one is to be, or this one otherwise. */
 static int accept(lag_run *run, scan *on, const piece *in, lag_status status)
 {
     const double w = in->b - in->a;
-    const int whole = in->samples == LAST;
     const double doubt = largest_doubt(run, in);
     if (doubt > LAG_KNOWN_PART && w > 1.5 * on->shortest) {
         on->reach = fmax(on->shortest, fmin(0.7 * w, lag_piece_length(w, doubt)));
         return 0;
     }
-    if (whole && status == LAG_OK) {
+    if (in->samples == LAST && status == LAG_OK) {
         const double next = lag_piece_length(w, doubt);
-        const int cut = w < (1.0 - CUT) * on->reach;
-        on->reach = fmin(on->longest, cut ? fmin(on->reach, fmax(w, next)) : next);
+        const int is_cut = in->b == run->stepper.t; /* it tells nothing of longer ones */
+        on->reach = fmin(on->longest, is_cut ? fmin(on->reach, fmax(w, next)) : next);
     }
     return 1;
 }
@@ -221,19 +212,17 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
 {
     const lag_stepper *s = &run->stepper;
     piece in = {on->a, on->a, 0};
-    double stretch = LAST_STRETCH;
     remember(run, 0);
     while (in.a < s->t) {
         double a = 0.0;
         double b = 0.0;
-        in.b = s->t - in.a > stretch * on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
+        in.b = s->t - in.a > on->reach && in.a + on->reach > in.a ? in.a + on->reach : s->t;
         lag_status status = sample_piece(run, &in, &a, &b);
         const int accepted = (status == LAG_OK || status == LAG_EVENT_PENDING) && accept(run, on, &in, status);
         status = accepted ? find_first(run, &in, status, &a, &b) : status;
         if (status != LAG_OK && status != LAG_EVENT_PENDING) {
             return status;
         }
-        stretch = accepted ? LAST_STRETCH : 1.0;
         if (accepted && status == LAG_EVENT_PENDING) {
             if (run->guards.time != b) {
                 (void)lag_scan_detect(run, b);
@@ -259,9 +248,7 @@ static void limit_behind(lag_run *run, double t)
     lag_guards *guards = &run->guards;
     for (size_t i = 0; i < run->motion.model->nindicator; ++i) {
         if (guards->changed[i] != 0.0) {
-            const double interval = t - guards->pieces.when[i];
-            const int is_crowded = !(interval > CROWDED * run->instants.contacts.length);
-            guards->pieces.limit = is_crowded ? guards->pieces.limit : fmin(guards->pieces.limit, INTERVALS * interval);
+            guards->pieces.limit = fmin(guards->pieces.limit, INTERVALS * (t - guards->pieces.when[i]));
             guards->pieces.when[i] = t;
         }
     }

@@ -294,9 +294,6 @@ lag_status lag_run_step(lag_run *run, double stop)
     lag_status status = advance_to_corner(run, lag_run_limit(run, stop), &own);
     half->left = 0.0;
     lag_copy(lag_guard_count(run->motion.model), run->guards.changed, run->half.pending);
-    if (status == LAG_OK && own < (double)INFINITY) {
-        own = lag_scan_on_constraints(run, run->half.pending, own);
-    }
     half->length = s->t - t;
     half->t = lag_lower(own, s->t);
     if (status == LAG_OK) {

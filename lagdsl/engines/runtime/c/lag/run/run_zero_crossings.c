@@ -9,10 +9,6 @@
 
 /* So often an interval is halved before nothing is left of it. */
 enum { HALVES = 60 };
-/* So often the time of a change is corrected where the state is moved onto the constraints, */
-enum { CORRECTIONS = 6 };
-/* along a secant over this part of the way from the beginning of the step. */
-static const double SECANT = 1e-3;
 /* At least this part of the other is no round-off. */
 static const double ALIKE = 1e-6;
 /* A value that is so many times as far from zero just before its root as on a straight line jumps there. */
@@ -27,16 +23,16 @@ lag_status lag_scan_detect(lag_run *run, double t)
 typedef struct change {
     lag_run *run;
     size_t which;
-    int corrected; /* with the state on the constraints, which is the state that the event will see */
 } change;
 
+/* With the state on the constraints, which is the state that the event will see. */
 static double value_of(void *context, double t)
 {
     const change *one = context;
     lag_run *run = one->run;
     int moved = 0;
     lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
-    status = status == LAG_OK && one->corrected ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
+    status = status == LAG_OK && run->motion.model->nc > 0 ? lag_projection_exact(&run->projection, t, run->point, &moved) : status;
     status = status == LAG_OK ? lag_guards_detect(&run->guards, t, run->point) : status;
     return status == LAG_OK || status == LAG_EVENT_PENDING ? run->guards.value[one->which] : (double)NAN;
 }
@@ -51,7 +47,7 @@ static double refine(change *one, double a, double fa, double b, double root, do
     const double value = value_of(one, root);
     const double better = root - value * (root - a) / (value - fa);
     const int is_steep = fabs(before) * (root - a) > STEEP * fabs(fa) * tolerance;
-    const int jumps = fabs(value) > ALIKE * fabs(fa) || fabs(better - root) > tolerance || is_steep;
+    const int jumps = fabs(better - root) > tolerance || is_steep;
     return jumps ? fmin(b, root + LAG_SCAN_TOGETHER * tolerance) : better;
 }
 
@@ -137,7 +133,7 @@ double lag_scan_earliest(lag_run *run, double a, double b)
         }
         const size_t which = find_nearest(guards, before);
         if (which < count) {
-            change one = {run, which, 0};
+            change one = {run, which};
             root[which] = root_of(&one, a, before[which], last, guards->value[which], lag_scan_tolerance(run));
             first = fmin(first, root[which]);
             sought[which] = 0.0;
@@ -148,50 +144,4 @@ double lag_scan_earliest(lag_run *run, double a, double b)
         guards->changed[i] = root[i] <= first + together;
     }
     return first;
-}
-
-/* The located value that constraints move away from its zero at t; the number of all where none is. */
-static size_t find_moved(lag_run *run, const double *located, size_t count, double t)
-{
-    size_t which = count;
-    int moved = 0;
-    const lag_status status = lag_stepper_dense(&run->stepper, t, run->point);
-    if (status != LAG_OK || lag_projection_exact(&run->projection, t, run->point, &moved) != LAG_OK || !moved) {
-        return count;
-    }
-    for (size_t i = 0; i < count && which == count; ++i) {
-        change one = {run, i, 0};
-        if (located[i] != 0.0) {
-            const double off = fabs(value_of(&one, t));
-            one.corrected = 1;
-            which = fabs(value_of(&one, t)) > 2.0 * off ? i : count;
-        }
-    }
-    return which;
-}
-
-double lag_scan_on_constraints(lag_run *run, const double *located, double t)
-{
-    const lag_model *model = run->motion.model;
-    const lag_stepper *s = &run->stepper;
-    const size_t count = lag_guard_count(model);
-    change one = {run, model->nc > 0 ? find_moved(run, located, count, t) : count, 1};
-    double before = t - SECANT * (t - s->t_before);
-    if (one.which == count || !(before < t)) {
-        return t;
-    }
-    double value_before = value_of(&one, before);
-    double value = value_of(&one, t);
-    for (int k = 0; k < CORRECTIONS; ++k) {
-        const double next = fmin(t - value * (t - before) / (value - value_before), s->t);
-        const double there = next > s->t_before && next != t ? value_of(&one, next) : (double)NAN;
-        if (!(fabs(there) < fabs(value))) {
-            break;
-        }
-        before = t;
-        value_before = value;
-        t = next;
-        value = there;
-    }
-    return t;
 }

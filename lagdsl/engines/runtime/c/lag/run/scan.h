@@ -37,10 +37,4 @@ lag_status lag_scan_detect(lag_run *run, double t);
 /* The first root of what has changed at b, and not at a; with it changes what does so at the same time but for round-off. */
 double lag_scan_earliest(lag_run *run, double a, double b);
 
-/*
- * The time t at which values flagged in `located` (nindicator + ncontact) are zero on the interpolant of the step, corrected: at it the first of them that
- * constraints move is zero with the state on the constraints.
- */
-double lag_scan_on_constraints(lag_run *run, const double *located, double t);
-
 #endif

@@ -58,7 +58,7 @@ static lag_status all_scheduled(lag_run *run, double *values)
     lag_status status = model->nclock > 0 ? model->clock(&run->motion.at, values, values + model->nclock) : LAG_OK;
     if (status == LAG_OK && model->ntimed > 0) {
         status = model->time_event(&run->motion.at, timed->value, timed->told, values + 2 * model->nclock, timed->rate, timed->affine,
-            timed->entry, timed->change);
+            timed->entry);
     }
     return status;
 }

@@ -84,9 +84,7 @@ static void record_crowd(lag_crowd *crowd, lag_record *record)
     RECORD(crowd->first);
     RECORD(crowd->ratio);
     RECORD(crowd->shrinking);
-    RECORD(crowd->still);
     RECORD(crowd->dense);
-    RECORD(crowd->regular);
 }
 
 static void record_instants(lag_instants *instants, lag_record *record)

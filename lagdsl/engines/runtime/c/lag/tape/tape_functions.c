@@ -180,10 +180,9 @@ static lag_status event(
 }
 
 static lag_status time_event(
-        const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry,
-        double *change)
+        const lag_arguments *at, double *value, double *told, double *distance, double *rate, double *affine, double *entry)
 {
-    double *const results[] = {value, told, distance, rate, affine, entry, change};
+    double *const results[] = {value, told, distance, rate, affine, entry};
     return run(at, 1 + LAG_TIME_EVENT, results);
 }
 
