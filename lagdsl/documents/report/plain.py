@@ -73,17 +73,21 @@ def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str
     cells = [list(header), *([_inline(cell) for cell in row] for row in rows)]
     keep = [i for i in range(len(header)) if any(row[i] for row in cells[1:])]
     widths = {i: max(_columns(row[i]) for row in cells) for i in keep}
-    top, *rows = ("  ".join(_padded(row[i], widths[i]) for i in keep).rstrip() for row in cells)
-    if _columns(top) + 4 > _WIDTH:
-        top = "  ".join(header[i] for i in keep)
-    return "\n".join(map(_row, [top, *rows]))
+    top, *below = ([_padded(row[i], widths[i]) for i in keep] for row in cells)
+    narrow = _columns("  ".join(top).rstrip()) + 4 <= _WIDTH
+    return "\n".join(map(_row, [top if narrow else [header[i] for i in keep], *below]))
 
 
-def _row(cells: str) -> str:
-    """A row that is wider than a page goes on below."""
-    if _columns(cells) + 4 <= _WIDTH:
-        return f"    {cells}"
-    return _filled(cells, " " * 4, " " * 8)
+def _row(cells: list[str]) -> str:
+    """A row that is wider than a page goes on below, with a whole cell where it has room."""
+    lines = ["   "]
+    for number, cell in enumerate(cells):
+        gap = " " if number == 0 else "  "
+        if _columns(f"{lines[-1]}{gap}{cell.rstrip()}") <= _WIDTH:
+            lines[-1] += f"{gap}{cell}"
+        else:
+            lines += _filled(cell.rstrip(), " " * 8, " " * 8).split("\n")
+    return "\n".join(line.rstrip() for line in lines)
 
 
 def _filled(words: str, first: str = "", following: str = "") -> str:
