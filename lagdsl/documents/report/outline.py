@@ -49,12 +49,14 @@ from lagdsl.documents.report.sections.instants import event_list
 from lagdsl.documents.report.sections.own_words import SPANS, Words
 from lagdsl.documents.report.sections.system import machine
 from lagdsl.documents.report.unit_text import unit_of
+from lagdsl.language.flat.expression import ZERO, FlatExpression, Variable
 from lagdsl.language.flat.model import Constraint, FlatModel
 from lagdsl.language.flat.quantity import Item
+from lagdsl.language.flat.traversal import rewritten
 from lagdsl.motion.pipeline import Compilation
 
 _MOST = 12
-_LONGEST_ROW = 2500
+_PAGE = 60 * 100  # characters
 _WHOLE = "The force of loads and constraints along each: inertia, forces of strains, weight"
 _BY_ELEMENTS = (
     "The force of loads and constraints along a coordinate is the sum of the shares of its elements: inertia, forces "
@@ -98,7 +100,7 @@ def outline(recipe: Recipe, *, drawn: bool = False, compilation: Compilation | N
     blocks += _parts("Contacts", flat.events.contacts)
     blocks += _parts("Dry friction", flat.events.frictions)
     blocks += event_list(flat)
-    rows = _rows(flat, words)
+    rows = _rows(_without(flat, frozenset(familiar.zeros)), words)
     blocks += [Heading("Equations of the coordinates" if rows else "Form of the equations")]
     blocks += [*_form(flat, letter, signs.of(symbols(flat).time)), *rows, *words.numbers()]
     blocks += [] if short is None or rows else in_symbols(flat, short, signs)
@@ -139,13 +141,22 @@ def _parts(title: str, items: Sequence[Item]) -> list[Block]:
     return [Heading(title), Bullets((*entries, text(f"… and {more} more.")) if more else tuple(entries))]
 
 
+def _without(flat: FlatModel, zeros: frozenset[str]) -> FlatModel:
+    """With 0 for parameters that are zero, as the other chapters have it."""
+
+    def of(node: object, _: object) -> FlatExpression | None:
+        return ZERO if isinstance(node, Variable) and node.name in zeros else None
+
+    return rewritten(flat, of)
+
+
 def _rows(flat: FlatModel, words: Words) -> list[Block]:
     """Equations of coordinates that repeat, as those of the nodes of a mesh: whole or by elements, what is shorter."""
     forms = [(found, _rolled(found)) for found in assembled(flat)]
     if not forms:
         return []
-    found, rows = min(forms, key=lambda form: sum(len(cell) for row in form[1] for cell in row))
-    if len(rows) > _MOST:
+    length, found, rows = min(((_length(rows), found, rows) for found, rows in forms), key=lambda form: form[0])
+    if length > _PAGE:
         return []
     told = " ".join([*(row.left for row in found.rows), *(work.text for work in found.works)])
     called = set(re.findall(r"(?<!\w)(\w+)(?=\(|\[\d\])", told))
@@ -154,6 +165,10 @@ def _rows(flat: FlatModel, words: Words) -> list[Block]:
     stresses = [(f"S({each.strain})", each.text) for each in found.stresses]
     works = [(f"Q({work.element}, q)", work.text) for work in found.works]
     return [Paragraph(text(f"{opening}. {'; '.join(notes)}.")), *_shares(rows, words), *words.runs([*stresses, *works])]
+
+
+def _length(rows: Sequence[tuple[str, ...]]) -> int:
+    return sum(len(cell) for row in rows for cell in row)
 
 
 def _shares(rows: Sequence[tuple[str, ...]], words: Words) -> list[Block]:

@@ -103,6 +103,16 @@ def test_a_typical_element_of_a_beam_has_a_share_at_both_nodes() -> None:
     assert "S(turn[k]) = E*I*(turn[k] + bending*der(turn[k]))/l" in told
 
 
+def test_a_weight_at_a_node_is_in_the_share_of_its_element() -> None:
+    text = (BEAM % "ExactBeam beam(n = 4, I = 100 mm^4, ").replace(
+        "connect(world, beam);",
+        "Lag.Planar.Body weight(m = 1 kg); connect(world, beam); connect(beam.node[2], weight);",
+    )
+    told = _line(str(lagdsl.compile(text).derive()))
+    share = told.partition("Share of element 2:")[2].partition("Share of")[0]
+    assert "+ weight.m*der(der(beam.x[2]))" in share and "- weight.m*gravity[2]" in share
+
+
 def test_a_beam_of_modes_has_the_masses_of_its_shapes() -> None:
     """The integrals of x^4/4, of x^2/2 (-x^2/2 + x^3/3) and of the square of this bracket: 1/20, -1/45 and 13/1260."""
     told = _line(_told("Beam beam(I = 100 mm^4, "))

@@ -17,7 +17,7 @@ from collections.abc import Callable, Sequence
 from operator import add, mul, sub, truediv
 from typing import TypeAlias
 
-from lagdsl.derivation.textbook.steps.elements import Elements, places_of
+from lagdsl.derivation.textbook.steps.elements import Elements, places_of, same_frame
 from lagdsl.derivation.textbook.steps.products import (
     Term,
     bracketed,
@@ -135,7 +135,7 @@ class _Rows:
     # ---- masses ------------------------------------------------------------------------------------------------------
 
     def _add_body(self, body: fm.RigidBody, spins: _Spins) -> None:
-        frame = self._named.get(body.frame)
+        frame = same_frame(self._named, body.frame)
         if not isinstance(frame, fm.Frame) or any(each != fx.ZERO for each in body.com):
             raise _NotWritten
         pull = self._pull(frame.parent)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
 from lagdsl.language.flat.dependence import Dependence
+from lagdsl.language.flat.quantity import Item
 from lagdsl.language.flat.traversal import step_expressions
 
 
@@ -25,12 +26,13 @@ class Elements:
             element = self.of([term.value], whole=True)
             for name in self._names.intersection(dependence.of(term.value)):
                 self._energies.setdefault((name, element), []).append(term)
-        frames = {item.name: item for item in flat.named if isinstance(item, fm.Frame)}
+        named = {item.name: item for item in flat.named}
         for mass in flat.masses:
             self.of([mass.position])
         for body in flat.bodies:
-            if body.frame in frames:
-                self.of(places_of(frames[body.frame]))
+            frame = same_frame(named, body.frame)
+            if frame is not None:
+                self.of(places_of(frame))
 
     def of(self, expressions: Iterable[fx.FlatExpression], *, whole: bool = False) -> int:
         """The number of the element to which the expressions belong, from 1. `whole`: with the same coordinates."""
@@ -52,6 +54,14 @@ class Elements:
     def sharing(self, coordinate: str) -> list[int]:
         """The elements of a coordinate."""
         return [self._numbers[each] for each in self._sharing[coordinate]]
+
+
+def same_frame(named: Mapping[str, Item], name: str) -> fm.Frame | None:
+    """The frame, or that from which it takes no step; None for the world."""
+    found = named.get(name)
+    while isinstance(found, fm.Frame) and not found.steps:
+        found = named.get(found.parent)
+    return found if isinstance(found, fm.Frame) else None
 
 
 def places_of(frame: fm.Frame) -> list[fx.FlatExpression]:
