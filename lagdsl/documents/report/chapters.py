@@ -132,12 +132,15 @@ def _defined(flat: FlatModel, zeros: frozenset[str], words: Words) -> list[Block
     values = {item.name: item.value for item in flat.named if isinstance(item, Definition)}
     waiting = [*(term.value for term in flat.energies), *_places(flat)]
     met: set[str] = set()
+    idle: set[str] = set()
     while waiting:
         names = {node.name for node in postorder(waiting.pop(), {}) if isinstance(node, Variable)}
+        idle |= names & zeros
         new = {name for name in names - met if name in values}
         met |= new
         waiting += [values[name] for name in new]
     rows = by_vectors({name: value for name, value in values.items() if name in met}, lambda each: _text(each, zeros))
+    rows += [(parameter, "0") for parameter in sorted(idle)]
     runs = words.runs(with_beginnings(rows))
     return [Paragraph(text(_DEFINED)), *runs] if runs else []
 
