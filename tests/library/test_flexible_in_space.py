@@ -73,3 +73,55 @@ end Planar;
     assert place == pytest.approx([x[-1], 0.8 * y[-1], 0.6 * y[-1]], rel=1e-8)
     turn = np.sin(q[-1] / 2)
     assert e == pytest.approx([np.cos(q[-1] / 2), 0, -0.6 * turn, 0.8 * turn], abs=1e-8)
+
+
+STATICS = """
+model Tip
+  import Lag.Flexible.*;
+  parameter Force F[3] = {1e-3, 2e-6, -3e-6};
+  %s;
+  gravity = 0;
+  connect(world, beam);
+  force F at beam.frame_b;
+  output Pressure sigma[4] = beam.stress;
+end Tip;
+"""
+IY, IZ, AREA = 50e-12, 200e-12, 1e-4
+SECTION = "L = 2 m, A = 1 cm^2, n = 4"
+
+
+@pytest.mark.parametrize(
+    ("beam", "inertias", "fibre"),
+    [
+        (f"ExactBeam beam({SECTION}, I = 200 mm^4, fibre = 3 mm)", (IZ, np.inf), (3e-3, 0)),
+        (
+            f"SpatialExactBeam beam({SECTION}, Iy = 50 mm^4, Iz = 200 mm^4)",
+            (IZ, IY),
+            np.sqrt([3 * IZ / AREA, 3 * IY / AREA]),
+        ),
+    ],
+    ids=["planar", "in space"],
+)
+def test_the_stress_of_a_fibre_is_that_of_tension_and_bending(
+    beam: str, inertias: tuple[float, float], fibre: tuple[float, float]
+) -> None:
+    """sigma = N/A - M_z y/I_z + M_y z/I_y with M_z = F_y (L - x) and M_y = -F_z (L - x), in the middle of the elements:
+    S. P. Timoshenko and J. N. Goodier, Theory of Elasticity, section 102. Tension straightens by F_x L^2/(E I) = 4e-4.
+    """
+    model = lagdsl.compile(STATICS % beam)
+    point = model.trim().point
+    told = np.asarray(model.output(0.0, point.q, point.qd)).ravel()
+    arm = LENGTH * (1 - (np.arange(4) + 0.5) / 4)
+    bent = 2e-6 * fibre[0] / inertias[0] - 3e-6 * fibre[1] / inertias[1]
+    assert told == pytest.approx(1e-3 / AREA - bent * arm, rel=5e-4)
+
+
+def test_the_stress_of_a_cable_is_that_of_the_outer_fibre() -> None:
+    """sigma = N/A + |M| c/I on the side outside of the bend."""
+    model = lagdsl.compile(STATICS % f"Cable beam({SECTION}, clamped = true)")
+    point = model.trim().point
+    told = np.asarray(model.output(0.0, point.q, point.qd)).ravel()
+    inertia = AREA**2 / (4 * np.pi)
+    arm = LENGTH * (1 - (np.arange(4) + 0.5) / 4)
+    bent = np.hypot(2e-6, 3e-6) * np.sqrt(4 * inertia / AREA) / inertia
+    assert told == pytest.approx(1e-3 / AREA + bent * arm, rel=1e-3)

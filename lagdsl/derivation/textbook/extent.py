@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import assert_never
 
 from lagdsl.language.flat import expression as fx
@@ -27,8 +29,9 @@ _MOST_ROWS = 12
 _DEEPEST_TURNS = 6
 _MOST_DEFINITIONS = 200
 _LONGEST_EXPRESSION = 2000
-_MOST_LONG_NUMBERS = 8
-_LONG_NUMBER = 12
+_MOST_MULTIPLIED = 1  # a product of two has digits that no line shows
+_PRINTED_DIGITS = 12
+_LARGEST_DENOMINATOR = 1000
 _COUNTED = 10**6
 _MOST_EQUATIONS = 40
 _MOST_NAMES = 1000
@@ -45,7 +48,7 @@ class Extent:
 
 def extent(flat: FlatModel) -> Extent:
     rows = sum(len(constraint.rows) for constraint in flat.constraints)
-    numbers = _long_numbers(flat)
+    digits = _digits(flat)
     measures = (
         (len(flat.coordinates), _MOST_COORDINATES, "coordinates"),
         (len(flat.masses) + len(flat.bodies), _MOST_CARRIERS, "masses and bodies"),
@@ -54,12 +57,12 @@ def extent(flat: FlatModel) -> Extent:
         (_turns(flat), _DEEPEST_TURNS, "rotations in a row"),
         (len(flat.named), _MOST_DEFINITIONS, "definitions, points and frames"),
         (_longest(flat), _LONGEST_EXPRESSION, "symbols in one expression, definitions written out"),
-        (numbers, _MOST_LONG_NUMBERS, f"numbers of more than {_LONG_NUMBER} digits"),
+        (digits, _MOST_MULTIPLIED, f"numbers of more than {_PRINTED_DIGITS} digits multiplied with each other"),
     )
     reasons = tuple(f"{value} {noun} (at most {most})" for value, most, noun in measures if value > most)
     deep = _turns(flat) > _DEEPEST_TURNS or _longest(flat) > _LONGEST_EXPRESSION
     many = max(len(flat.coordinates), rows, len(flat.loads)) > _MOST_EQUATIONS or len(flat.named) > _MOST_NAMES
-    return Extent(reasons=reasons, has_short_parts=not (deep or many or numbers > _MOST_LONG_NUMBERS))
+    return Extent(reasons=reasons, has_short_parts=not (deep or many or digits > _MOST_MULTIPLIED))
 
 
 def _turns(flat: FlatModel) -> int:
@@ -98,19 +101,34 @@ def _longest(flat: FlatModel) -> int:
     return max([0, *names.values(), *(length(expression) for expression in _declared(flat))])
 
 
-def _long_numbers(flat: FlatModel) -> int:
-    """Different numbers that a person does not write, as those of a quadrature: products of them only get longer."""
-    known: dict[int, None] = {}
-    found: set[float] = set()
-    for expression in (*(each for item in flat.named for each in _values(item)), *_declared(flat)):
+def _digits(flat: FlatModel) -> int:
+    """The most numbers in one product whose digits are not all printed, names replaced by what they stand for, as those
+    of a quadrature: a product of two is rounded anew, and what is written out is not what is declared."""
+    known: dict[int, int] = {}
+    names: dict[str, int] = {}
+
+    def most(expression: fx.FlatExpression) -> int:
         for node in postorder(expression, known):
-            known[id(node)] = None
-            if (
-                isinstance(node, fx.Number)
-                and len(number_text(abs(node.value)).replace(".", "").strip("0")) > _LONG_NUMBER
-            ):
-                found.add(abs(node.value))
-    return len(found)
+            inner = [known[id(operand)] for operand in operands(node)]
+            known[id(node)] = min(_multiplied(node, inner) + names.get(_name(node), 0), _COUNTED)
+        return known[id(expression)]
+
+    for item in flat.named:
+        names[item.name] = max(map(most, _values(item)), default=0)
+    return max([0, *names.values(), *map(most, _declared(flat))])
+
+
+def _multiplied(node: fx.FlatExpression, inner: list[int]) -> int:
+    if isinstance(node, fx.Number):
+        return int(not _is_printed(node.value))
+    return sum(inner) if isinstance(node, fx.Binary) and node.operator in ("*", "/") else max(inner, default=0)
+
+
+def _is_printed(value: float) -> bool:
+    """True for pi, for a fraction such as 1/3 and for a number of few digits."""
+    exact = Fraction(value).limit_denominator(_LARGEST_DENOMINATOR)
+    short = len(number_text(abs(value)).replace(".", "").strip("0")) <= _PRINTED_DIGITS
+    return short or value == math.pi or float(exact) == value
 
 
 def _values(item: Definition | Point | Frame) -> Iterable[fx.FlatExpression]:

@@ -4,6 +4,7 @@ and the equations of motion in numbers where the motion starts. Like links of a 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import fields, replace
 from typing import assert_never
 
 import numpy as np
@@ -11,12 +12,22 @@ import numpy as np
 from lagdsl.derivation.textbook.familiar import Familiar
 from lagdsl.documents.report.boxes import Box, Column, Matrix, Name, Operator, Row, Subscript, Sum, Upright, bold
 from lagdsl.documents.report.boxes import Number as Digits
-from lagdsl.documents.report.document import Block, Equation, Equations, Heading, Paragraph, text
+from lagdsl.documents.report.document import (
+    Block,
+    Equation,
+    Equations,
+    Heading,
+    Paragraph,
+    text,
+    with_code,
+    with_formulas,
+)
 from lagdsl.documents.report.notation import dotted
+from lagdsl.documents.report.sections.beginnings import with_beginnings
 from lagdsl.documents.report.sections.condensed import condensed, condensed_place, condensed_vector
 from lagdsl.documents.report.sections.own_words import Words
+from lagdsl.documents.report.sections.vectors import by_vectors
 from lagdsl.foundation.diagnostics import CompilationFailed, Sink
-from lagdsl.language.flat.dependence import Dependence
 from lagdsl.language.flat.expression import ZERO, FlatExpression, Number, Variable
 from lagdsl.language.flat.model import (
     Definition,
@@ -30,18 +41,17 @@ from lagdsl.language.flat.model import (
     RotateQuaternion,
     SetAxes,
 )
-from lagdsl.language.flat.traversal import postorder, step_expressions
+from lagdsl.language.flat.traversal import postorder, records, step_expressions
 from lagdsl.motion.pipeline import Compilation, compile_flat
 
 _LARGEST_MATRIX = 8
-_DEFINITIONS = 24
 _KINEMATICS = (
-    "From the world to each frame: turns are about the axes of the frame itself, displacements along them. Rates "
-    "follow from frame to frame, with the turn q about n and the way s along n:"
+    "Turns are about the axes of the frame itself, displacements along them. Rates follow from frame to frame, with "
+    "the turn q about n and the way s along n:"
 )
-_ENERGIES = (
-    "The energies of masses and bodies, each with its own velocity and its own axes, and those that are declared:"
-)
+_ENERGIES = "Of masses and bodies, each with its own velocity and its own axes, and those that are declared:"
+_LEFT_OUT = " Frames that carry nothing are in `lag flat` alone."
+_DEFINED = "In these words:"
 _DECLARED_ENERGIES = "The energies that are declared:"
 _NUMBERS = "Where the motion starts, in SI units and in the order of the coordinates, with the declared start values:"
 
@@ -50,15 +60,17 @@ def kinematics(familiar: Familiar, letter: Callable[[str], Box], words: Words) -
     """Each frame that turns or moves, as it follows from the one that carries it."""
     zeros = frozenset(familiar.zeros)
     frames = [item for item in familiar.flat.named if isinstance(item, Frame)]
+    carrying = _carrying(familiar.flat)
     moved = {"world": "world"}
     rows = []
     for frame in frames:
         parent = moved.get(frame.parent, frame.parent)
         moved[frame.name] = frame.name if frame.steps else parent
-        if frame.steps:
+        if frame.steps and frame.name in carrying:
             rows.append((frame.name, parent, ", ".join(_step(step, zeros) for step in frame.steps)))
     if not rows:
         return []
+    left_out = with_code(_LEFT_OUT) if any(frame.name not in carrying for frame in frames) else ()
     spin, speed, turn, way = bold(letter("ω")), bold(letter("v")), Name("q"), Name("s")
     a, b, n = Upright("a"), Upright("b"), Name("n")
     arm = Row((Subscript(bold(letter("r")), Row((a, b))),))
@@ -70,12 +82,27 @@ def kinematics(familiar: Familiar, letter: Callable[[str], Box], words: Words) -
         )
     )
     turned = Sum((("+", Subscript(spin, a)), ("+", Row((dotted(turn, 1), n)))))
+    rates = [(Subscript(spin, b), turned), (Subscript(speed, b), carried)]
     return [
         Heading("Kinematics"),
-        Paragraph(text(_KINEMATICS)),
-        Equations((Equation(Subscript(spin, b), turned), Equation(Subscript(speed, b), carried))),
+        Paragraph((*with_formulas(_KINEMATICS, rates), *left_out)),
         *words.table(("frame b", "carried by a", "steps"), rows),
     ]
+
+
+def _carrying(flat: FlatModel) -> set[str]:
+    """Frames on which something stands that the equations have, and those that carry them."""
+    rest = replace(flat, named=(), drawings=(), outputs=(), observed=(), aliases=(), joints=(), measurements=())
+    parts = (rest, *(item for item in flat.named if not isinstance(item, Frame)))
+    words = {value for each in records(parts) for value in _words(each)}
+    for item in reversed(flat.named):
+        if isinstance(item, Frame) and item.name in words:
+            words.add(item.parent)
+    return words
+
+
+def _words(part: object) -> Iterator[str]:
+    return (value for each in fields(part) if isinstance(value := getattr(part, each.name), str))  # type: ignore[arg-type]
 
 
 def energies(familiar: Familiar, letter: Callable[[str], Box], words: Words) -> list[Block]:
@@ -93,32 +120,29 @@ def energies(familiar: Familiar, letter: Callable[[str], Box], words: Words) -> 
     declared = [(f"{term.kind} of…", _text(term.value, zeros)) for term in flat.energies]
     return [
         Heading("Energies"),
-        Paragraph(text(_ENERGIES if rows else _DECLARED_ENERGIES)),
-        *([Equations(_forms(flat, letter))] if rows else []),
+        Paragraph(with_formulas(_ENERGIES, _forms(flat, letter)) if rows else text(_DECLARED_ENERGIES)),
         *words.table(("T of", "mass", "center", "moments of inertia"), rows),
-        *words.table(("kind of energy", "value"), declared),
-        *_defined(familiar, zeros, words),
+        *words.sums(declared),
+        *_defined(flat, zeros, words),
     ]
 
 
-def _defined(familiar: Familiar, zeros: frozenset[str], words: Words) -> list[Block]:
+def _defined(flat: FlatModel, zeros: frozenset[str], words: Words) -> list[Block]:
     """The definitions that stand in the declared energies and in the places of what has mass, and those in these."""
-    values = {item.name: item.value for item in familiar.flat.named if isinstance(item, Definition)}
-    waiting = [*(term.value for term in familiar.flat.energies), *_places(familiar.flat)]
+    values = {item.name: item.value for item in flat.named if isinstance(item, Definition)}
+    waiting = [*(term.value for term in flat.energies), *_places(flat)]
     met: set[str] = set()
+    idle: set[str] = set()
     while waiting:
         names = {node.name for node in postorder(waiting.pop(), {}) if isinstance(node, Variable)}
+        idle |= names & zeros
         new = {name for name in names - met if name in values}
         met |= new
         waiting += [values[name] for name in new]
-    dependence, moving = Dependence(familiar.flat), {each.name for each in familiar.flat.coordinates}
-    chosen = [name for name in values if name in met]
-    chosen.sort(
-        key=lambda name: not moving.intersection(dependence.of(values[name]))
-    )  # constants are the first to be cut
-    return words.table(
-        ("definition", "value"), [(name, _text(values[name], zeros)) for name in chosen], most=_DEFINITIONS
-    )
+    rows = by_vectors({name: value for name, value in values.items() if name in met}, lambda each: _text(each, zeros))
+    rows += [(parameter, "0") for parameter in sorted(idle)]
+    runs = words.runs(with_beginnings(rows))
+    return [Paragraph(text(_DEFINED)), *runs] if runs else []
 
 
 def _places(flat: FlatModel) -> Iterator[FlatExpression]:
@@ -133,20 +157,21 @@ def _places(flat: FlatModel) -> Iterator[FlatExpression]:
             yield from (expression for step in frame.steps for expression in step_expressions(step))
 
 
-def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> tuple[Equation, ...]:
+def _forms(flat: FlatModel, letter: Callable[[str], Box]) -> list[tuple[Box, Box]]:
     """T of each carrier, and the sums over all."""
     i, half = Upright("i"), Digits("½")
     v, w = (Subscript(bold(letter(each)), i) for each in ("v", "ω"))
     m, tensor = (Subscript(Name(each), i) for each in ("m", "I"))
     sigma, dot = Upright("Σ"), Operator("·")
     own = Sum((("+", Row((half, m, v, dot, v))), ("+", Row((half, w, dot, tensor, w)))))
-    kinetic = Equation(Subscript(letter("T"), i), own)
-    whole = Equation(letter("T"), Row((sigma, Subscript(letter("T"), i))))
-    lines = [kinetic, whole]
+    lines: list[tuple[Box, Box]] = [
+        (Subscript(letter("T"), i), own),
+        (letter("T"), Row((sigma, Subscript(letter("T"), i)))),
+    ]
     if flat.gravity is not None:
         fall = Row((sigma, m, Name("𝐠"), dot, Subscript(bold(letter("r")), i)))
-        lines.append(Equation(letter("V"), Sum((("-", fall),))))
-    return tuple(lines)
+        lines.append((letter("V"), Sum((("-", fall),))))
+    return lines
 
 
 def at_the_start(

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from lagdsl.documents.report.boxes import Box
+from lagdsl.documents.report.boxes import Box, Operator, Row
 from lagdsl.documents.report.marks import Figure
 
 
@@ -114,6 +114,15 @@ def with_code(words: str) -> Inline:
     """Words of this report, not of a model, in which backticks mark code."""
     pieces = words.split("`")
     return tuple(Code(piece) if number % 2 else Text(piece) for number, piece in enumerate(pieces) if piece)
+
+
+def with_formulas(words: str, formulas: Sequence[tuple[Box, Box]]) -> Inline:
+    """Words, and equations in their line."""
+    pieces: list[Text | Code | Strong | Math] = [Text(f"{words} ")]
+    for number, (left, right) in enumerate(formulas):
+        pieces += [Text(", ")] if number else []
+        pieces.append(Math(Row((left, Operator("="), right))))
+    return (*pieces, Text("."))
 
 
 def inline(

@@ -40,18 +40,13 @@ def _block(block: Block) -> str:
             heading = title if step is None else f"{step}. {title}"
             return f"\n{heading}\n{'-' * _columns(heading)}"
         case Paragraph(content):
-            return textwrap.fill(_inline(content), _WIDTH, break_long_words=False, break_on_hyphens=False)
+            return _filled(_inline(content))
         case Equations(equations):
             return "\n".join(_equation(equation) for equation in equations)
         case Table(header, rows):
             return _table(header, rows)
         case Bullets(items):
-            return "\n".join(
-                textwrap.fill(
-                    _inline(item), _WIDTH, initial_indent="  • ", subsequent_indent="    ", break_long_words=False
-                )
-                for item in items
-            )
+            return "\n".join(_filled(_inline(item), "  • ", " " * 4) for item in items)
         case Drawing():
             return ""
         case _:
@@ -78,7 +73,32 @@ def _table(header: tuple[str, ...], rows: tuple[tuple[Inline, ...], ...]) -> str
     cells = [list(header), *([_inline(cell) for cell in row] for row in rows)]
     keep = [i for i in range(len(header)) if any(row[i] for row in cells[1:])]
     widths = {i: max(_columns(row[i]) for row in cells) for i in keep}
-    return "\n".join("    " + "  ".join(_padded(row[i], widths[i]) for i in keep).rstrip() for row in cells)
+    top, *below = ([_padded(row[i], widths[i]) for i in keep] for row in cells)
+    narrow = _columns("  ".join(top).rstrip()) + 4 <= _WIDTH
+    return "\n".join(map(_row, [top if narrow else [header[i] for i in keep], *below]))
+
+
+def _row(cells: list[str]) -> str:
+    """A row that is wider than a page goes on below, with a whole cell where it has room."""
+    lines = ["   "]
+    for number, cell in enumerate(cells):
+        gap = " " if number == 0 else "  "
+        if _columns(f"{lines[-1]}{gap}{cell.rstrip()}") <= _WIDTH:
+            lines[-1] += f"{gap}{cell}"
+        else:
+            lines += _filled(cell.rstrip(), " " * 8, " " * 8).split("\n")
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def _filled(words: str, first: str = "", following: str = "") -> str:
+    return textwrap.fill(
+        words,
+        _WIDTH,
+        initial_indent=first,
+        subsequent_indent=following,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def _padded(text: str, width: int) -> str:

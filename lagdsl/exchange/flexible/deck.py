@@ -7,7 +7,7 @@ from dataclasses import field
 
 from lagdsl.exchange.flexible.keywords import LONGEST, Block, blocks
 from lagdsl.exchange.flexible.refusal import Refused
-from lagdsl.foundation.diagnostics.suggest import did_you_mean, listing
+from lagdsl.foundation.diagnostics.suggest import did_you_mean, distance, listing
 from lagdsl.foundation.record import record
 from lagdsl.foundation.source import SourceFile, Span
 
@@ -16,6 +16,7 @@ SIZES = {"C3D4": 4, "C3D6": 6, "C3D8": 8, "C3D10": 10, "C3D15": 15, "C3D20": 20}
 _VARIANTS = ("", "R", "I", "T", "H", "RH", "IH", "M", "MH")
 TYPES = {f"{kind}{variant}": kind for kind in SIZES for variant in _VARIANTS}
 MAX_NODES = 100_000
+_NEIGHBOURS = frozenset(["PLASTIC"])  # keywords of their own that are one letter from one that is read
 _GENERATING = frozenset(
     [
         "INCLUDE",
@@ -93,6 +94,8 @@ def read_deck(file: SourceFile) -> Deck:
         reader = _READERS.get(block.keyword)
         if reader is not None:
             reader(draft, block)
+        elif (meant := _meant(block.keyword)) is not None:
+            raise Refused("E1222", block.span, keyword=block.keyword, meant=meant)
     if not deck.nodes:
         raise Refused("E1203", None, name=file.name, what="*NODE")
     if not deck.elements:
@@ -109,6 +112,12 @@ def unknown(kind: str, name: str, known: Iterable[str], span: Span | None) -> Re
     """E1209 with the names that the file has."""
     help = did_you_mean(name, known)
     return Refused("E1209", span, help=help, kind=kind, name=name[:80], known=listing(name, sorted(known)))
+
+
+def _meant(keyword: str) -> str | None:
+    """The keyword that is one slip away; without it the deck would lack what it says."""
+    likes = (each for each in sorted(_READERS) if distance(keyword, each, 1) == 1)
+    return None if keyword in _NEIGHBOURS else next(likes, None)
 
 
 def _nodes(draft: _Draft, block: Block) -> None:

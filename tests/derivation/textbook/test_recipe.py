@@ -173,7 +173,7 @@ def test_large_models_stay_outlines() -> None:
         assert "30 coordinates" in text
         assert len(text) < 14_000
     plain = render(found, "text")
-    assert "q_k         k = 1…30" in plain
+    assert "q[k], k = 1…30" in plain
     assert "… and 10 more." in plain
     assert "M q̈ − J^T λ = f" in plain
 

@@ -46,6 +46,9 @@ def told(path: Path, reading: Reading = BLOCK) -> str:
         (".inp", "*ELEMENT, TYPE=C3D8, ELSET=BLOCK\n1, 1, 2, 3, 4, 5, 6, 7, 8\n", "", "E1203", "*ELEMENT"),
         (".inp", "8, 0, 100, 100", "7, 0, 100, 100", "E1206", "`7` occurs twice [11]"),
         (".inp", "*NSET, NSET=LEFT", "*NGEN\n1, 4\n*NSET, NSET=LEFT", "E1207", "*NGEN"),
+        (".inp", "*NODE", "*NODDE", "E1222", "`*NODDE` is a keyword of neither"),
+        (".inp", "*ELEMENT", "*ELEMNT", "E1222", "`*ELEMNT`"),
+        (".inp", "*NSET, NSET=LEFT", "*MATERAIL, NAME=STEEL\n*NSET, NSET=LEFT", "E1222", "`*MATERAIL`"),
         (".inp", "TYPE=C3D8", "TYPE=B32", "E1208", "`B32`"),
         (".inp", "NSET=LEFT", "NSET=LEFTT", "E1209", "`LEFT`"),
         (".inp", "2, 100, 0, 0", "2, 100, 10, 0", "E1210", "a rigid motion takes forces"),
@@ -67,6 +70,11 @@ def test_a_damaged_file_is_told(block: Path, ending: str, old: str, new: str, co
     path.write_text(text.replace(old, new, 1))
     message = told(block)
     assert message.startswith(code) and words in message
+
+
+def test_a_keyword_beside_the_body_is_left_out(block: Path) -> None:
+    block.write_text(block.read_text() + "*PLASTIC\n2e8, 0\n")
+    assert body_text(block, BLOCK, Sink()) is not None
 
 
 def test_what_is_missing_is_told(block: Path, tmp_path: Path) -> None:

@@ -5,19 +5,32 @@ The definitions of the model keep their names: the chain rule goes through them,
 definition that is a root or a quotient of coordinates, as the strain of a cable: d(strain)/d(r) is such a derivative
 and a row is the virtual work of the textbooks, the sum of forces times variations of strains. Where that is the same
 work for all elements, it is written once, as `Q(element, coordinate)`. A viscous stress stands with its elastic one
-(Kelvin and Voigt). Bodies that turn by unit quaternions have the inertia of P. Betsch and R. Siebert, Int. J. Numer.
-Methods Eng. 79 (2009) 444.
+(Kelvin and Voigt). A row is the sum of the shares of the elements that its coordinate belongs to. Bodies that turn by
+unit quaternions have the inertia of P. Betsch and R. Siebert, Int. J. Numer. Methods Eng. 79 (2009) 444.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections import defaultdict
+from collections.abc import Callable, Sequence
 from operator import add, mul, sub, truediv
 from typing import TypeAlias
 
-from lagdsl.derivation.textbook.steps.products import Term, bracketed, partial_of, product, quotient, text_of, viscous
+from lagdsl.derivation.textbook.steps.elements import Elements, places_of, same_frame
+from lagdsl.derivation.textbook.steps.products import (
+    Term,
+    bracketed,
+    partial_of,
+    product,
+    quotient,
+    shared,
+    text_of,
+    viscous,
+)
+from lagdsl.derivation.textbook.steps.stresses import Stress, with_stresses
 from lagdsl.derivation.textbook.steps.works import Work, with_works
+from lagdsl.derivation.textbook.steps.zeros import vanishes
 from lagdsl.foundation.record import record
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -30,41 +43,53 @@ _OF_NUMBERS: dict[str, Callable[[float, float], float]] = {"+": add, "-": sub, "
 
 _Rule: TypeAlias = "Callable[[fx.FlatExpression], list[Term]]"
 _Pull: TypeAlias = list[list[Term]]
-_Spins: TypeAlias = dict[tuple[str, ...], list[list[Term]]]
+_Inertia: TypeAlias = tuple[list[Term], list[Term]]  # inertia and weight
+_Spins: TypeAlias = dict[tuple[int, tuple[str, ...]], list[list[Term]]]
 
 
 @record(kw_only=True)
 class AssembledRow:
     """`left` is the force of the loads and constraints along one coordinate: inertia, forces of strains, elastic and
-    viscous, and the weight."""
+    viscous, and the weight. `element` is the number of the element whose share it is; None for all of them."""
 
     coordinate: str
+    element: int | None
     left: str
 
 
 @record(kw_only=True)
 class Assembled:
-    """`works` are what `Q` stands for in the rows; none if they have no `Q`."""
+    """`works` are what `Q` stands for in the rows, `stresses` what `S` stands for; none if they have none."""
 
     rows: tuple[AssembledRow, ...]
     works: tuple[Work, ...]
+    stresses: tuple[Stress, ...]
 
 
 class _NotWritten(Exception):  # noqa: N818 named after what it says
     """The row has another form."""
 
 
-def assembled(flat: fm.FlatModel) -> Assembled:
-    """The rows of all coordinates; none where one of them has another form."""
+def assembled(flat: fm.FlatModel) -> tuple[Assembled, ...]:
+    """The rows of all coordinates in two forms, whole and by elements; none where one of them has another form."""
     try:
         rows = _Rows(flat)
-        found = {each.name: rows.of(each.name) for each in flat.coordinates}
+        shares = {each.name: rows.of(each.name) for each in flat.coordinates}
     except _NotWritten:
-        return Assembled(rows=(), works=())
-    works, texts = with_works(found)
-    if any(len(text) > _LONGEST for text in texts.values()):
-        return Assembled(rows=(), works=())
-    return Assembled(rows=tuple(AssembledRow(coordinate=q, left=left) for q, left in texts.items()), works=works)
+        return ()
+    whole = [(q, None, [term for terms in of.values() for term in terms]) for q, of in shares.items()]
+    parts = [(q, element, terms) for q, of in shares.items() for element, terms in of.items()]
+    return tuple(found for each in (whole, parts) if (found := _texts(each)) is not None)
+
+
+def _texts(rows: Sequence[tuple[str, int | None, list[Term]]]) -> Assembled | None:
+    works, left = with_works([(q, terms) for q, _, terms in rows])
+    stresses, left = with_stresses(left)
+    texts = [text_of(terms) for terms in left]
+    if any(len(text) > _LONGEST for text in texts):
+        return None
+    found = (AssembledRow(coordinate=q, element=e, left=t) for (q, e, _), t in zip(rows, texts, strict=True))
+    return Assembled(rows=tuple(found), works=works, stresses=stresses)
 
 
 class _Rows:
@@ -73,36 +98,44 @@ class _Rows:
             raise _NotWritten
         self._flat, self._dependence = flat, Dependence(flat)
         self._named = {item.name: item for item in flat.named}
-        self._coordinates = {coordinate.name for coordinate in flat.coordinates}
+        self._coordinates = {coordinate.name: place for place, coordinate in enumerate(flat.coordinates)}
         self._parameters = {parameter.name for parameter in flat.parameters}
         self._partials: dict[tuple[str, str], list[Term]] = {}
-        self._along: dict[str, list[Term]] = {name: [] for name in self._coordinates}
-        self._weights: dict[str, list[Term]] = {name: [] for name in self._coordinates}
+        self._elements = Elements(flat, self._dependence)
+        self._of_masses: defaultdict[tuple[str, int], _Inertia] = defaultdict(lambda: ([], []))
         self._shapes: dict[str, bool] = {}
         named: _Pull = [[Term(1.0, (f"gravity[{axis}]",))] for axis in (1, 2, 3)]
         self._pulls = {"world": named if any(self._gravity()) else self._gravity()}
         for mass in flat.masses:
             frame, place = _placed(mass.position)
-            self._add(self._terms(mass.mass), place, self._pull(frame))
+            self._add(self._elements.of([mass.position]), self._terms(mass.mass), place, self._pull(frame))
         spins: _Spins = {}
         for body in flat.bodies:
             self._add_body(body, spins)
-        for quaternion, inertia in spins.items():
-            moments = f"{{{', '.join(map(text_of, inertia))}}}"
+        for (element, quaternion), inertia in spins.items():
+            common, moments = shared(inertia)
+            diagonal = f"{{{', '.join(map(_entry, moments))}}}"
             vector = quaternion[0].removesuffix("[1]") if quaternion[0].endswith("[1]") else f"{quaternion[0][:-3]}]"
             for axis, name in enumerate(quaternion, start=1):
-                self._along[name].append(Term(1.0, (f"spin({vector}, {moments})[{axis}]",)))
+                self._of_masses[name, element][0].extend(
+                    product([common], [Term(1.0, (f"spin({vector}, {diagonal})[{axis}]",))])
+                )
 
-    def of(self, name: str) -> list[Term]:
-        energies = [(term.kind, term.value) for term in self._flat.energies if name in self._dependence.of(term.value)]
+    def of(self, name: str) -> dict[int, list[Term]]:
+        """The terms of each element of the coordinate."""
+        keys = [(name, element) for element in self._elements.sharing(name)]
+        return {key[1]: [*self._of_masses[key][0], *self._strained(*key), *self._of_masses[key][1]] for key in keys}
+
+    def _strained(self, name: str, element: int) -> list[Term]:
+        energies = [(term.kind, term.value) for term in self._elements.energies(name, element)]
         stiffness = [each for kind, value in energies if kind == "potential" for each in self._partial(value, name)]
         damping = [each for kind, value in energies if kind == "dissipation" for each in self._by_rate(value, name)]
-        return [*self._along[name], *viscous(stiffness, damping), *self._weights[name]]
+        return viscous(stiffness, damping)
 
     # ---- masses ------------------------------------------------------------------------------------------------------
 
     def _add_body(self, body: fm.RigidBody, spins: _Spins) -> None:
-        frame = self._named.get(body.frame)
+        frame = same_frame(self._named, body.frame)
         if not isinstance(frame, fm.Frame) or any(each != fx.ZERO for each in body.com):
             raise _NotWritten
         pull = self._pull(frame.parent)
@@ -110,26 +143,27 @@ class _Rows:
         turns = [step for step in frame.steps if isinstance(step, fm.Rotate | fm.RotateQuaternion)]
         if frame.steps not in ((*moves,), (*moves, *turns)) or len(moves) != 1 or len(turns) > 1:
             raise _NotWritten
-        self._add(self._terms(body.mass), moves[0].offset, pull)
+        element = self._elements.of(places_of(frame))
+        self._add(element, self._terms(body.mass), moves[0].offset, pull)
         for turn in turns:
             if isinstance(turn, fm.Rotate):
-                self._add(self._terms(body.inertia[turn.axis]), (turn.angle,), [[]])
+                self._add(element, self._terms(body.inertia[turn.axis]), (turn.angle,), [[]])
             else:
-                self._add_spin(body, turn, spins)
+                self._add_spin(element, body, turn, spins)
 
-    def _add_spin(self, body: fm.RigidBody, turn: fm.RotateQuaternion, spins: _Spins) -> None:
+    def _add_spin(self, element: int, body: fm.RigidBody, turn: fm.RotateQuaternion, spins: _Spins) -> None:
         """The inertia of a body in the axes of its moments, which turns by coordinates that are a unit quaternion."""
         parts = [self._resolved(each) for each in turn.e]
         if all(map(self._fixed, parts)):
             return
         names = tuple(part.name for part in parts if isinstance(part, fx.Variable))
         ends = [re.sub(r"(\d+)\]$", "#", name) + name[-2:-1] for name in names]
-        if ends != [f"{ends[0][:-1]}{axis}" for axis in (1, 2, 3, 4)] or not self._coordinates.issuperset(names):
+        if ends != [f"{ends[0][:-1]}{axis}" for axis in (1, 2, 3, 4)] or not self._coordinates.keys() >= set(names):
             raise _NotWritten
         if any(each != fx.ZERO for each in body.inertia[3:]):
             raise _NotWritten
-        known = spins.setdefault(names, [[], [], []])
-        spins[names] = [[*k, *self._terms(each)] for k, each in zip(known, body.inertia[:3], strict=True)]
+        known = spins.setdefault((element, names), [[], [], []])
+        spins[element, names] = [[*k, *self._terms(each)] for k, each in zip(known, body.inertia[:3], strict=True)]
 
     def _resolved(self, expression: fx.FlatExpression) -> fx.FlatExpression:
         """The value of a name that other names repeat."""
@@ -169,7 +203,7 @@ class _Rows:
         turned[second] = [*product(cos, pull[second]), *product([Term(-1.0)], product(sin, pull[first]))]
         return turned
 
-    def _add(self, mass: list[Term], places: tuple[fx.FlatExpression, ...], gravity: _Pull) -> None:
+    def _add(self, element: int, mass: list[Term], places: tuple[fx.FlatExpression, ...], gravity: _Pull) -> None:
         """A mass, or a moment of inertia, whose place is linear in coordinates and in definitions that are not."""
         for place, pull in zip(places, gravity, strict=True):
             shares = {of: [self._original(term) for term in share] for of, share in self._shares(place).items()}
@@ -178,12 +212,12 @@ class _Rows:
                 for of in shares
                 for name in ([of] if of in self._coordinates else self._dependence.of(fx.Variable(of)))
             }
-            for name in sorted(names & self._coordinates, key=list(self._along).index):
+            for name in sorted(names & self._coordinates.keys(), key=self._coordinates.__getitem__):
                 varied = [each for of, share in shares.items() for each in product(share, self._varied(of, name))]
                 for of, share in shares.items():
                     rate = [Term(1.0, (f"der(der({of}))",))]
-                    self._along[name] += product(product(mass, product(share, varied)), rate)
-                self._weights[name] += product([Term(-1.0)], product(product(mass, pull), varied))
+                    self._of_masses[name, element][0].extend(product(product(mass, product(share, varied)), rate))
+                self._of_masses[name, element][1].extend(product([Term(-1.0)], product(product(mass, pull), varied)))
 
     def _shares(self, place: fx.FlatExpression) -> dict[str, list[Term]]:
         """The place as a sum: the factors of coordinates, and of definitions that are not linear in them."""
@@ -191,7 +225,7 @@ class _Rows:
             return {}
         if self._linear(place):
             names = [name for name in self._dependence.of(place) if name not in self._parameters]
-            if not self._coordinates.issuperset(names):
+            if not self._coordinates.keys() >= set(names):
                 raise _NotWritten
             return {name: self._partial(place, name) for name in names}
         if isinstance(place, fx.Variable) and isinstance(self._named.get(place.name), fm.Definition):
@@ -274,7 +308,7 @@ class _Rows:
             if self._is_written(item):
                 found = self._partial(item.value, name)
             else:
-                found = [] if self._vanishes(item.value) else [partial_of(variable, name)]
+                found = [] if vanishes(item.value, self._named) else [partial_of(variable, name)]
             self._partials[variable, name] = found
         return self._partials[variable, name]
 
@@ -282,43 +316,12 @@ class _Rows:
         """True if the chain rule goes through the definition, whichever coordinate it is for."""
         if item.name not in self._shapes:
             try:
-                for name in self._coordinates.intersection(self._dependence.of(item.value)):
+                for name in self._coordinates.keys() & self._dependence.of(item.value):
                     self._partial(item.value, name)
                 self._shapes[item.name] = True
             except _NotWritten:
                 self._shapes[item.name] = False
         return self._shapes[item.name]
-
-    def _vanishes(self, expression: fx.FlatExpression) -> bool:
-        """Zero by the form of the expression, as the curvature out of the plane of a cable that stays in it."""
-        if isinstance(expression, fx.Number):
-            return expression.value == 0.0
-        if isinstance(expression, fx.Variable):
-            item = self._named.get(expression.name)
-            return isinstance(item, fm.Definition) and self._vanishes(item.value)
-        if isinstance(expression, fx.Unary):
-            return expression.operator == "-" and self._vanishes(expression.operand)
-        if isinstance(expression, fx.Binary):
-            left = self._vanishes(expression.left)
-            if expression.operator in ("+", "-"):
-                return left and self._vanishes(expression.right)
-            return expression.operator in ("*", "/") and (
-                left or (expression.operator == "*" and self._vanishes(expression.right))
-            )
-        return isinstance(expression, fx.Component) and self._vanishes_along(expression.vector, expression.axis)
-
-    def _vanishes_along(self, vector: fx.FlatExpression, axis: int) -> bool:
-        if isinstance(vector, fx.Vector):
-            return self._vanishes((vector.x, vector.y, vector.z)[axis])
-        if isinstance(vector, fx.Binary) and vector.operator in ("*", "/"):
-            return any(self._vanishes_along(each, axis) for each in (vector.left, vector.right))
-        if isinstance(vector, fx.Cross):
-            others = [other for other in range(3) if other != axis]
-            return all(
-                self._vanishes_along(vector.left, a) or self._vanishes_along(vector.right, b)
-                for a, b in (others, others[::-1])
-            )
-        return False
 
     def _by_rate(self, expression: fx.FlatExpression, name: str) -> list[Term]:
         """The derivative by the rate of a coordinate."""
@@ -383,6 +386,13 @@ def _number(expression: fx.FlatExpression) -> float | None:
     left, right = _number(expression.left), _number(expression.right)
     of = _OF_NUMBERS.get(expression.operator)
     return None if left is None or right is None or of is None else of(left, right)
+
+
+def _entry(terms: list[Term]) -> str:
+    """Of a list: without brackets around the whole."""
+    text = text_of(terms)
+    alone = len(terms) == 1 and terms[0].above == (text,) and text.startswith("(")
+    return text[1:-1] if alone else text
 
 
 def _factor(expression: fx.FlatExpression) -> str:

@@ -7,12 +7,15 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import field, replace
 from fractions import Fraction
+from functools import reduce
+from operator import and_
 
 from lagdsl.foundation.record import record
 from lagdsl.language.flat.expression_text import number_text
 
 _NOTHING = 1e-12  # of a sum of numbers that cancel each other
 _LARGEST_DENOMINATOR = 1000
+_NAME = re.compile(r"[A-Za-z_][\w.]*(?:\[[\d,]+\])?(?:\.\w+(?:\[[\d,]+\])?)*")
 _INDEX = re.compile(r"(?<=[\[,])\d+(?=(?:,\w+)*\])")
 _LETTERS = ("i", "c")
 _PARTIAL = "d("
@@ -55,6 +58,19 @@ def _cancelled(term: Term) -> Term:
         else:
             below.append(factor)
     return replace(term, above=tuple(above), below=tuple(below))
+
+
+def shared(sums: list[list[Term]]) -> tuple[Term, list[list[Term]]]:
+    """The factors that all terms of all sums have, and the sums without them."""
+    together = [_together(each) for each in sums]
+    terms = [term for each in together for term in each]
+    if not terms:
+        return Term(1.0), sums
+    sizes = {abs(each.number) for each in terms}
+    above = reduce(and_, (Counter(each.above) for each in terms))
+    below = reduce(and_, (Counter(each.below) for each in terms))
+    common = Term(sizes.pop() if len(sizes) == 1 else 1.0, tuple(above.elements()), tuple(below.elements()))
+    return common, [quotient(each, [common]) for each in together]
 
 
 def bracketed(terms: list[Term]) -> list[Term]:
@@ -112,12 +128,40 @@ def _together(terms: list[Term]) -> list[Term]:
 
 
 def text_of(terms: list[Term]) -> str:
-    """As it is printed."""
+    """As it is printed: constants that terms have in common stand before their bracket."""
+    return _sum_of(map(_factored, _alike(_folded(_folded(_together(terms)))))) or "0"
+
+
+def _sum_of(signed: Iterable[tuple[bool, str]]) -> str:
     text = ""
-    for term in _folded(_folded(_together(terms))):
-        shown = _shown(replace(term, number=abs(term.number)))
-        text += f"{' - ' if term.number < 0 else ' + '}{shown}" if text else f"{'-' * (term.number < 0)}{shown}"
-    return text or "0"
+    for negative, shown in signed:
+        text += f" {'-' if negative else '+'} {shown}" if text else f"{'-' * negative}{shown}"
+    return text
+
+
+def _alike(terms: list[Term]) -> list[list[Term]]:
+    """Terms with the same constants, two or more, each group in the place of its first."""
+    groups: dict[tuple[object, ...], list[Term]] = {}
+    for place, term in enumerate(terms):
+        names = frozenset(_constants(term))
+        key = (names, *sorted(term.below)) if len(names) > 1 else (place,)
+        groups.setdefault(key, []).append(term)
+    return list(groups.values())
+
+
+def _factored(terms: list[Term]) -> tuple[bool, str]:
+    """True if the sum stands after a minus, and the sum."""
+    negative = terms[0].number < 0
+    if len(terms) == 1:
+        return negative, _shown(replace(terms[0], number=abs(terms[0].number)))
+    common = reduce(and_, (Counter(_constants(term)) for term in terms))
+    rest = [replace(each, above=tuple((Counter(each.above) - common).elements()), below=()) for each in terms]
+    inner = _sum_of(((t.number < 0) != negative, _shown(replace(t, number=abs(t.number)))) for t in rest)
+    return negative, _fraction([*_powers(tuple(common.elements())), f"({inner})"], _powers(terms[0].below))
+
+
+def _constants(term: Term) -> list[str]:
+    return [factor for factor in term.above if _NAME.fullmatch(factor) and not factor.startswith("gravity[")]
 
 
 def _shown(term: Term) -> str:
@@ -125,8 +169,10 @@ def _shown(term: Term) -> str:
     simple = abs(float(exact) - term.number) <= _NOTHING * abs(term.number)
     above = [str(exact.numerator)] if simple and exact.numerator != 1 else [] if simple else [number_text(term.number)]
     below = [str(exact.denominator)] if simple and exact.denominator != 1 else []
-    above += _powers(term.above)
-    below += _powers(term.below)
+    return _fraction([*above, *_powers(term.above)], [*below, *_powers(term.below)])
+
+
+def _fraction(above: list[str], below: list[str]) -> str:
     line = "*".join(above) or "1"
     return line if not below else f"{line}/{below[0]}" if len(below) == 1 else f"{line}/({'*'.join(below)})"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from lagdsl.derivation.textbook.steps.products import Term, text_of
 from lagdsl.foundation.record import record
@@ -19,23 +20,18 @@ class Work:
     text: str
 
 
-def with_works(rows: dict[str, list[Term]]) -> tuple[tuple[Work, ...], dict[str, str]]:
-    """The texts of the sums along coordinates; `Q(element, coordinate)` stands for the terms with derivatives of the
+def with_works(rows: Sequence[tuple[str, list[Term]]]) -> tuple[tuple[Work, ...], list[list[Term]]]:
+    """The sums along coordinates; `Q(element, coordinate)` stands for the terms with derivatives of the
     strains of an element where they are the same for all, but for derivatives that are zero."""
-    found = {name: _by_element(terms) for name, terms in rows.items()}
-    general = [
-        _general(terms, element, name) for name, parts in found.items() for element, terms in parts.items() if element
-    ]
+    found = [(name, _by_element(terms)) for name, terms in rows]
+    general = [_general(terms, element, name) for name, parts in found for element, terms in parts.items() if element]
     whole = max(general, key=len, default=[])
     if not whole or not all(set(each) <= set(whole) for each in general):
-        return (), {name: text_of(terms) for name, terms in rows.items()}
-    works = {element: Work(element=element, text=text_of(whole)) for parts in found.values() for element in parts}
+        return (), [terms for _, terms in rows]
+    works = {element: Work(element=element, text=text_of(whole)) for _, parts in found for element in parts}
     works.pop("", None)
-    texts = {}
-    for name, parts in found.items():
-        calls = [Term(1.0, (f"Q({element}, {name})",)) for element in parts if element]
-        texts[name] = text_of([*parts.get("", []), *calls])
-    return tuple(works.values()), texts
+    calls = [[Term(1.0, (f"Q({element}, {name})",)) for element in parts if element] for name, parts in found]
+    return tuple(works.values()), [[*parts.get("", []), *call] for (_, parts), call in zip(found, calls, strict=True)]
 
 
 def _by_element(terms: list[Term]) -> dict[str, list[Term]]:

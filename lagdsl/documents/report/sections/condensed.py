@@ -17,6 +17,7 @@ _Of: TypeAlias = Callable[[fx.FlatExpression], fx.FlatExpression]
 _LAST_INDEX = re.compile(r"^(.*?)(?:,(\d+)\]|\[(\d+)\])$")
 _VARYING = re.compile(r"(?<=[\[,])\d+(?=[,\]])|(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w.\]])")
 _LETTERS = "ica"
+_AXES = 3
 _FEWEST = 3  # two terms are shorter than their sum
 
 
@@ -93,23 +94,46 @@ def _is_long(number: fx.FlatExpression) -> TypeGuard[fx.Number]:
 
 
 def _whole(parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression | None:
-    """The expression of which these are the components, by the last indices of its names."""
-    found = [_without(part, str(number)) for number, part in enumerate(parts, start=1)]
-    return found[0] if found[0] != parts[0] and all(each == found[0] for each in found) else None
+    """The vector whose components these are: of names without their last index, in sums and in products with what all
+    components have."""
+    found = _merged(parts)
+    return None if found == parts[0] else found
 
 
-def _without(expression: fx.FlatExpression, index: str) -> fx.FlatExpression:
-    """Names without this last index."""
+def _merged(parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression | None:
+    first = parts[0]
+    if all(part == first for part in parts):
+        return first
+    if isinstance(first, fx.Variable):
+        return _name(parts)
+    if isinstance(first, fx.Component):
+        alike = all(part == fx.Component(first.vector, axis) for axis, part in enumerate(parts))
+        return first.vector if alike and len(parts) == _AXES else None
+    if isinstance(first, fx.Unary) and first.operator == "-":
+        operands = [part.operand for part in parts if isinstance(part, fx.Unary) and part.operator == "-"]
+        inner = _merged(operands) if len(operands) == len(parts) else None
+        return None if inner is None else fx.Unary("-", inner)
+    return _merged_two(first, parts) if isinstance(first, fx.Binary) else None
 
-    def shortened(node: object, _: object) -> fx.FlatExpression | None:
-        if not isinstance(node, fx.Variable):
-            return None
-        found = _LAST_INDEX.match(node.name)
-        if found is None or index not in found.groups()[1:]:
-            return node
-        return fx.Variable(f"{found[1]}]" if found[2] else found[1])
 
-    return rewritten(expression, shortened)
+def _merged_two(first: fx.Binary, parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression | None:
+    likes = [part for part in parts if isinstance(part, fx.Binary) and part.operator == first.operator]
+    if len(likes) < len(parts) or first.operator not in ("+", "-", "*", "/"):
+        return None
+    left, right = _merged([each.left for each in likes]), _merged([each.right for each in likes])
+    if left is None or right is None:
+        return None
+    changed = (left != first.left, right != first.right)
+    fits = all(changed) if first.operator in ("+", "-") else changed[0] != changed[1]
+    return fx.Binary(first.operator, left, right) if fits and not (first.operator == "/" and changed[1]) else None
+
+
+def _name(parts: Sequence[fx.FlatExpression]) -> fx.FlatExpression | None:
+    names = [part.name for part in parts if isinstance(part, fx.Variable)]
+    found = [_LAST_INDEX.match(name) for name in names]
+    wholes = {f"{each[1]}]" if each[2] else each[1] for each in found if each is not None}
+    counted = [int(each[2] or each[3]) for each in found if each is not None] == [*range(1, len(parts) + 1)]
+    return fx.Variable(wholes.pop()) if counted and len(wholes) == 1 else None
 
 
 def _summed(terms: Sequence[fx.FlatExpression]) -> fx.FlatExpression:

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from math import prod
 from typing import NamedTuple
 
-_INDICES = re.compile(r"(?<=[\[,])\d+(?=[,\]])")
-_NUMBERS = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w.\]])")
+INDICES = re.compile(r"(?<=[\[,])\d+(?=[,\]])")
+NUMBERS = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w.\]])")
 _PLACES = re.compile("[#~]")
+_WORDS = re.compile(r"[A-Za-z_]\w*\[\d+\]|[A-Za-z_]\w*|\d+|\S")
 _LETTERS = "kjil"
 
 
@@ -25,12 +26,40 @@ def rolled(rows: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
     follow an index are a list, `{0.5, 2}[k]`."""
     found: dict[tuple[str, ...], list[_Member]] = {}
     for row in rows:
-        indices = tuple(int(each) for cell in row for each in _INDICES.findall(cell))
-        plain = tuple(_INDICES.sub("#", cell) for cell in row)
-        numbers = tuple(each for cell in plain for each in _NUMBERS.findall(cell))
-        pattern = tuple(_NUMBERS.sub("~", cell) for cell in plain)
+        indices = tuple(int(each) for cell in row for each in INDICES.findall(cell))
+        plain = tuple(INDICES.sub("#", cell) for cell in row)
+        numbers = tuple(each for cell in plain for each in NUMBERS.findall(cell))
+        pattern = tuple(NUMBERS.sub("~", cell) for cell in plain)
         found.setdefault(pattern, []).append(_Member(indices, numbers, row))
     return [shown for pattern, members in found.items() for shown in _family(pattern, members)]
+
+
+def with_likes(rows: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Names and values; a value that has the form of the one before, with other names, says so where that is shorter:
+    `as x[k] with y for x`."""
+    found: list[tuple[str, str]] = []
+    last: tuple[str, str] | None = None
+    for name, value in rows:
+        others = None if last is None else _others(last[1], value)
+        told = value if last is None or not others else f"as {last[0]} with {', '.join(others)}"
+        if len(told) < len(value):
+            found.append((name, told))
+        else:
+            found.append((name, value))
+            last = (name, value)
+    return found
+
+
+def _others(value: str, other: str) -> list[str]:
+    """`b for a` for the names that differ; none if the values have different forms."""
+    words, theirs = _WORDS.findall(value), _WORDS.findall(other)
+    if len(words) != len(theirs):
+        return []
+    pairs = dict(zip(words, theirs, strict=True))
+    if [pairs[word] for word in words] != theirs or len(set(pairs.values())) < len(pairs):
+        return []
+    differing = [(word, their) for word, their in pairs.items() if word != their]
+    return [f"{their} for {word}" for word, their in differing] if all(w[0].isalpha() for w, _ in differing) else []
 
 
 def _family(pattern: tuple[str, ...], members: Sequence[_Member]) -> list[tuple[str, ...]]:

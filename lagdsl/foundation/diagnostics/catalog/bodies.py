@@ -72,4 +72,9 @@ ROWS: dict[str, Row] = {
         "mass, mdCM, J, Ct, Cr and Me of `{name}` contradict each other: a motion has a negative kinetic energy",
         help="write the file anew; as it is, the body is right where frame_a stands still",
     ),
+    "E1222": error(
+        "`*{keyword}` is a keyword of neither CalculiX nor Abaqus",
+        label="this keyword",
+        help="did you mean `*{meant}`?",
+    ),
 }
