@@ -24,6 +24,12 @@ PUCK = "coordinate Real x, y; kinetic 1/2*(der(x)^2 + der(y)^2);"
 SLIDING_PUCK = "coordinate Real x(der(start = 1)), y; kinetic 1/2*(der(x)^2 + der(y)^2);"
 ROLLER = """coordinate Real y, z, s; gravity = {2, -9, 0}; mass 2 at {y, 0, z}; kinetic 1/2*0.01*der(s)^2;
 discrete Integer n(start = 0); friction two: {der(y) + 0.1*der(s), der(z)} with limit = 3;"""
+# It rests from the start, so that its slips have no terms but the round-off of forces that balance.
+TRAIN = """coordinate Real a, b, c; kinetic 1/2*1.7*(der(a) + 0.3*der(b))^2 + 1/2*0.9*(der(b) - 0.7*der(c))^2;
+kinetic 1/2*(der(c) + 0.1*der(a))^2; potential 1/2*31.7*(a - 0.3*b)^2 + 1/2*11.3*(b - 0.77*c - 0.01)^2;
+force if time < 1.1 then 3.7 else 5.9 on a; force 3*sin(3*time) on b; force 17.7*cos(2*time) on c;
+discrete Integer n(start = 0); friction first: der(a) + 0.31*der(b) with limit = 1e5;
+friction second: 1.37*der(b) - 0.2*der(c) with limit = 1e4; friction third: der(c) + der(a)/2 with limit = 1e5;"""
 
 # name, body, clauses, stop, end values, modes of friction that are told
 CASES = [
@@ -80,6 +86,7 @@ CASES = [
         [(sqrt(15) / 5, "slips")],
     ),
     # the roller pulls 2 y'' = 4 + F, s'' = 10 F, y'' = -0.1 s''
+    ("rest when forces jump", TRAIN, "when time > 0.77 then n = 1; end when;", 3.0, {"a": 0.0, "b": 0.0}, []),
     ("an instant of another thing", ROLLER, "when time > 0.5 then n = 1; end when;", 3.0, {"y": 6.0, "z": 0.0}, []),
 ]
 # The direction of a slip that begins turns faster than an explicit method likes: four seconds for each of them.

@@ -2,14 +2,12 @@
 #include "lag/contacts/contact.h"
 #include "lag/contacts/friction.h"
 #include "lag/contacts/modes.h"
-#include "lag/contacts/modes_problem.h"
 #include "lag/contacts/reserve.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
 #include "lag/equations/rank.h"
 #include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse.h"
-#include "lag/impulses/impulse_step.h"
 #include "lag/impulses/inequalities.h"
 #include "lag/impulses/position_maps.h"
 #include "lag/initial.h"
@@ -20,7 +18,6 @@
 #include "lag/initial/nearest_configuration.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
-#include "lag/linalg/lemke.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/linear_program.h"
 #include "lag/linalg/nnls.h"
@@ -42,20 +39,16 @@
 #define NOTHING contact_impacts_NOTHING
 #define add_frictions contact_impacts_add_frictions
 #define gather contact_impacts_gather
-#define row_of contact_impacts_row_of
 #include "lag/contacts/contact_impacts.c"
 #undef NOTHING
 #undef add_frictions
 #undef gather
-#undef row_of
 
 #define NO_FORCE contact_scale_NO_FORCE
 #define ROUNDING contact_scale_ROUNDING
-#define force_of contact_scale_force_of
 #include "lag/contacts/contact_scale.c"
 #undef NO_FORCE
 #undef ROUNDING
-#undef force_of
 
 #define NO_FORCE friction_NO_FORCE
 #define ROUNDING friction_ROUNDING
@@ -66,32 +59,30 @@
 #undef row_of
 
 #define BEYOND modes_BEYOND
-#define force_of modes_force_of
 #include "lag/contacts/modes.c"
 #undef BEYOND
-#undef force_of
 
 #define add_frictions modes_problem_add_frictions
 #define find_rows modes_problem_find_rows
-#define limit_of modes_problem_limit_of
 #define solve modes_problem_solve
 #include "lag/contacts/modes_problem.c"
 #undef add_frictions
 #undef find_rows
-#undef limit_of
 #undef solve
 
+#define NOTHING reserve_NOTHING
 #define begin reserve_begin
 #define find_lengths reserve_find_lengths
-#define limit_of reserve_limit_of
+#define left_of reserve_left_of
 #define refine reserve_refine
 #define row_of reserve_row_of
 #define size_of reserve_size_of
 #define solve reserve_solve
 #include "lag/contacts/reserve.c"
+#undef NOTHING
 #undef begin
 #undef find_lengths
-#undef limit_of
+#undef left_of
 #undef refine
 #undef row_of
 #undef size_of
@@ -101,14 +92,12 @@
 #define ROUNDING friction_problem_ROUNDING
 #define begin friction_problem_begin
 #define improve friction_problem_improve
-#define limit_of friction_problem_limit_of
 #define size_of friction_problem_size_of
 #include "lag/impulses/friction_problem.c"
 #undef MOST_STEPS
 #undef ROUNDING
 #undef begin
 #undef improve
-#undef limit_of
 #undef size_of
 
 #include "lag/impulses/impact.c"
@@ -171,10 +160,12 @@
 
 #define TRIES initial_ranks_TRIES
 #define find_parts initial_ranks_find_parts
+#define left_of initial_ranks_left_of
 #define place initial_ranks_place
 #include "lag/initial/initial_ranks.c"
 #undef TRIES
 #undef find_parts
+#undef left_of
 #undef place
 
 #include "lag/initial/initial_rates.c"

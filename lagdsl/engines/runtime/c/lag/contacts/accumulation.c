@@ -23,8 +23,6 @@ static const double REST = 1e-6;
 static const double NEXT = 1e-3;
 /* Steps of fixed length cannot tell bounces that take less than so many of them. */
 static const double STEPS = 2.0;
-/* A rebound slower than this part of the approach is none. */
-static const double REBOUND = 1e-12;
 
 typedef struct series {
     size_t component;
@@ -35,9 +33,8 @@ typedef struct series {
 
 static int parts(const lag_contacts *contacts, size_t i)
 {
-    const double speed = contacts->speed[i];
-    const int is_captured = contacts->blows.approach[i] != 0.0 && speed < contacts->capture_speed[i];
-    return speed > fmax(lag_contacts_speed_band(contacts, i), REBOUND * -contacts->blows.approach[i]) && !is_captured;
+    const int is_captured = contacts->blows.approach[i] != 0.0 && contacts->speed[i] < contacts->capture_speed[i];
+    return contacts->speed[i] > lag_contacts_speed_band(contacts, i) && !is_captured;
 }
 
 /* A speed of contact i as the square root of twice the energy that stops it. */
@@ -78,7 +75,7 @@ static int is_brief(const lag_contacts *contacts, size_t i, double flight, doubl
 {
     const double brief = contacts->zeno_time[i] >= 0.0 ? contacts->zeno_time[i] : REST * contacts->length;
     const int is_lost = 0.125 * flight * contacts->speed[i] < lag_contacts_gap_noise(contacts, i) || flight < STEPS * contacts->flight;
-    return is_lost || (ratio < 1.0 && flight < brief * (1.0 - ratio)) || flight < NEXT * brief;
+    return is_lost || flight < brief * fmax(1.0 - ratio, NEXT);
 }
 
 /* The series of the bounces in the component of a contact that parts. */
@@ -98,7 +95,7 @@ static series series_of(const lag_contacts *contacts, size_t component)
             const double back = contacts->blows.back[i];
             const double flight = back < 0.0 ? 2.0 * contacts->speed[i] / -back : (double)INFINITY; /* it may not come back */
             all.brief = is_brief(contacts, i, flight, ratio);
-            all.left = fmax(all.left, fmin(ratio < 1.0 ? flight / (1.0 - ratio) : (double)INFINITY, flight / NEXT));
+            all.left = fmax(all.left, flight / fmax(1.0 - ratio, NEXT));
         }
     }
     return all;

@@ -21,9 +21,7 @@ typedef struct lag_contact_sizes {
 
 /* Blows of one instant, and what they leave (contact_impacts.c, accumulation.c). */
 typedef struct lag_blows {
-    lag_inequalities rows;   /* of one of them, */
-    double *part;            /* (ngap) the contacts, or collisions behind them, of its normals, */
-    double *hit;             /* (nq + nz) by component: it takes place in it */
+    lag_inequalities rows;   /* of one of them */
     double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
     double *closing;         /* (ncontact) */
     double *approach;        /* (ncontact) speed at the first impact, zero without, */

@@ -29,8 +29,7 @@ static lag_status release(lag_contacts *contacts, double t, const double *x)
 void lag_contacts_add_to_blow(lag_contacts *contacts, size_t i, double restitution)
 {
     const size_t n = contacts->motion->model->nq;
-    contacts->blows.part[contacts->blows.rows.normals] = (double)i;
-    lag_inequalities_add_normal(&contacts->blows.rows, n, contacts->jacobian + i * n, contacts->speed[i], restitution);
+    lag_inequalities_add_normal(&contacts->blows.rows, n, i, contacts->jacobian + i * n, contacts->speed[i], restitution);
 }
 
 /* True if contact i has an approach speed beyond round-off, and is closed, or not. */
@@ -56,21 +55,12 @@ static void add_closing(lag_contacts *contacts)
     for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
         if (contacts->blows.closing[i] != 0.0) {
             lag_contacts_add_to_blow(contacts, i, contacts->restitution[i]);
-            contacts->blows.hit[lag_contacts_component(contacts, i)] = 1.0;
             if (contacts->blows.approach[i] == 0.0) {
                 contacts->blows.approach[i] = contacts->speed[i];
                 contacts->blows.order[contacts->blows.struck++] = (double)i;
             }
         }
     }
-}
-
-/* The row of the constraints that participant i is while it is closed; nc for an impact of a clause. Gaps are as these rows are. */
-static size_t row_of(const lag_contacts *contacts, size_t i)
-{
-    const lag_model *model = contacts->motion->model;
-    const size_t contact = (size_t)contacts->blows.part[i];
-    return contact < model->ncontact ? model->contact_rows[contact] : model->nc;
 }
 
 /* Friction under the participants, by what it gains with their impulses. */
@@ -81,46 +71,43 @@ static lag_status add_frictions(lag_contacts *contacts)
     const lag_model *model = contacts->motion->model;
     const lag_status status = lag_frictions_evaluate(frictions);
     for (size_t k = 0; k < model->nfriction && status == LAG_OK; ++k) {
-        const double *gain = frictions->gain + k * model->nc;
         const size_t first = (size_t)frictions->first[k];
-        int any = 0;
-        for (size_t i = 0; i < blow->normals; ++i) {
-            any = any || (row_of(contacts, i) < model->nc && gain[row_of(contacts, i)] != 0.0);
-        }
-        if (any) {
-            const size_t number = lag_inequalities_add_friction(
-                blow, model->nq, lag_frictions_components(frictions, k), frictions->jacobian + first * model->nq, frictions->slip + first);
-            for (size_t i = 0; i < blow->normals; ++i) {
-                blow->coefficients[number * blow->normals + i] = row_of(contacts, i) < model->nc ? gain[row_of(contacts, i)] : 0.0;
-            }
+        const lag_inequalities without = *blow;
+        lag_frictions_add(frictions, blow, k, frictions->jacobian + first * model->nq, frictions->slip + first, frictions->gain + k * model->nc);
+        if (!lag_any(blow->normals, blow->coefficients + without.frictions * blow->normals)) {
+            *blow = without; /* it lets go */
         }
     }
     return status;
 }
 
-/*
- * Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold, of the components in which
- * something strikes or drives; friction under them.
- */
+/* 1: something strikes or drives in the component of contact i. */
+static int is_hit(const lag_contacts *contacts, size_t i)
+{
+    const lag_model *model = contacts->motion->model;
+    const lag_inequalities *rows = &contacts->blows.rows;
+    size_t k = 0;
+    while (k < rows->normals && lag_row_component(model, rows->rows + k * model->nq) != lag_contacts_component(contacts, i)) {
+        ++k;
+    }
+    return k < rows->normals;
+}
+
+/* Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold, of their components; friction under them. */
 static lag_status gather(lag_contacts *contacts, const double *collision, const double *restitution)
 {
     const lag_model *model = contacts->motion->model;
-    memset(contacts->blows.hit, 0, (model->nq + model->nz) * sizeof(double));
     lag_inequalities_clear(&contacts->blows.rows);
     add_closing(contacts);
     for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
         if (collision[i] != 0.0) {
             lag_contacts_add_to_blow(contacts, model->ncontact + i, restitution[i]);
-            contacts->blows.hit[lag_contacts_component(contacts, model->ncontact + i)] = 1.0;
         }
     }
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        if (is_driven(contacts, i, 1)) {
-            contacts->blows.hit[lag_contacts_component(contacts, i)] = 1.0;
-        }
-    }
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        if (*lag_contacts_flag(contacts, i) != 0.0 && contacts->blows.closing[i] == 0.0 && contacts->blows.hit[lag_contacts_component(contacts, i)] != 0.0) {
+    for (size_t k = 0; k < 2 * model->ncontact; ++k) { /* those that are driven in come first */
+        const size_t i = k % model->ncontact;
+        const int holds = *lag_contacts_flag(contacts, i) != 0.0 && contacts->blows.closing[i] == 0.0;
+        if (holds && (k < model->ncontact ? is_driven(contacts, i, 1) : !is_driven(contacts, i, 1) && is_hit(contacts, i))) {
             lag_contacts_add_to_blow(contacts, i, 0.0);
         }
     }
@@ -130,7 +117,7 @@ static lag_status gather(lag_contacts *contacts, const double *collision, const 
 void lag_contacts_keep_blow(lag_contacts *contacts)
 {
     for (size_t i = 0; i < contacts->blows.rows.normals; ++i) {
-        const size_t contact = (size_t)contacts->blows.part[i];
+        const size_t contact = lag_gap_of(&contacts->blows.rows, i);
         if (contact < contacts->motion->model->ncontact) {
             contacts->blows.compliance[contact] = contacts->blows.rows.compliance[i];
             contacts->sizes.blow[contact] = fmax(contacts->sizes.blow[contact], contacts->blows.rows.scale[i]);

@@ -80,6 +80,17 @@ lag_status lag_frictions_evaluate(lag_frictions *frictions)
     return status;
 }
 
+void lag_frictions_add(const lag_frictions *frictions, lag_inequalities *rows, size_t k, const double *jacobian, const double *slip, const double *gain)
+{
+    const lag_model *model = frictions->motion->model;
+    double *coefficients = rows->coefficients + rows->frictions * rows->normals;
+    lag_inequalities_add_friction(rows, model->nq, k, lag_frictions_components(frictions, k), jacobian, slip);
+    for (size_t i = 0; i < rows->normals; ++i) { /* nothing rubs under the blow of a clause */
+        const size_t contact = lag_gap_of(rows, i);
+        coefficients[i] = contact < model->ncontact ? gain[model->contact_rows[contact]] : 0.0;
+    }
+}
+
 int lag_frictions_acts(const lag_frictions *frictions, size_t k)
 {
     const lag_model *model = frictions->motion->model;

@@ -32,6 +32,9 @@ void lag_frictions_place(lag_frictions *frictions, lag_motion *motion, lag_conta
 /* Slips and limits at the state at which `motion` was evaluated last, with its accelerations and multipliers. */
 lag_status lag_frictions_evaluate(lag_frictions *frictions);
 
+/* Adds friction k to a problem of rates or accelerations, as `slip` (components) with its rows (components, nq); `gain` (nc): its limit by multipliers. */
+void lag_frictions_add(const lag_frictions *frictions, lag_inequalities *rows, size_t k, const double *jacobian, const double *slip, const double *gain);
+
 /* A step begins at the state that was evaluated last. */
 void lag_frictions_begin(lag_frictions *frictions);
 

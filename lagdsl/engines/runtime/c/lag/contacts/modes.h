@@ -3,9 +3,9 @@
  * pushes, or opens with its acceleration; a slip that is zero stays so with a force within what friction bears at rest, or begins against its force. At the level
  * of accelerations these are the same inequalities as those of rates in a blow (lag/impulses/friction_problem.h).
  *
- * Friction that slides keeps its direction. Friction and contacts whose force left their mode go in the direction in which they left, and
- * the problem decides about the others. Where the limit at rest is above that of sliding it is solved with the first; what slips then has the second: again,
- * until no more of them slip.
+ * Friction that slides keeps its direction. Contacts whose force left their mode open; friction whose force left it slips against its force where that is
+ * at the limit, and the problem decides about the others. Where the limit at rest is above that of sliding it is solved with the first; what slips then
+ * has the second: again, until no more of them slip.
  *
  * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 6.
  */
@@ -23,15 +23,13 @@ typedef struct lag_modes {
     lag_inequalities rows;
     double *w;               /* (nw) the discretes without what is looked for */
     int jumped;              /* rates may have jumped at this instant, or slips: what sticks may slip now */
-    double *touched;         /* (nq + nz) by component: its modes are looked for */
     double *normal;          /* (ncontact) contacts in the problem */
-    double *loose;           /* (nfriction) friction that may stick */
+    double *loose;           /* (nfriction) friction that may stick, */
     double *kinetic;         /* (nfriction) that slips with the limit of sliding, */
-    double *began;           /* (nfriction) as it does that began to slip at this instant */
+    double *parting;         /* (nfriction) that slips at its limit, as it left its mode or began to slip at this instant */
     double *heading;         /* (nslip) directions of those that slide */
-    double *force, *jacobian, *gamma; /* (nq) (nc, nq) (nc) with all rows that may act */
+    double *jacobian, *gamma; /* (nc, nq) (nc) with all rows that may act */
     lag_loads loads;         /* with the forces of the modes before */
-    double *qdd;             /* (nq) */
 } lag_modes;
 
 void lag_modes_place(lag_modes *modes, lag_contacts *contacts, lag_frictions *frictions, lag_layout *layout);
@@ -46,5 +44,11 @@ void lag_modes_release_frictions(lag_modes *modes);
  * LAG_NO_FORCES: no accelerations satisfy the law: friction wedges.
  */
 lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const double *candidates, const double *left);
+
+/* Parts: sets the modes of what is in `normal` and `loose` by the problem of accelerations. */
+lag_status lag_modes_solve(lag_modes *modes, double t, const double *x);
+
+/* The heading of friction k: along `along` (components) in this sense; zero where it has no length. */
+void lag_modes_set_heading(lag_modes *modes, size_t k, const double *along, double length, double sense);
 
 #endif

@@ -10,6 +10,8 @@
 
 /* Unit rows are dependent where a singular value is below this part of the largest, and share forces by more than this. */
 static const double RANK = 1e-9;
+/* A side has nothing left below this part of the forces of its group. */
+static const double NOTHING = 1e-9;
 /* A force outside of a disc by less than this part of its limit is in it. */
 static const double OUTSIDE = 1e-13;
 /* Tangents of a disc: four to begin with, and those that are added. */
@@ -24,7 +26,7 @@ static size_t work_memory(const lag_model *model)
 {
     const size_t rows = most_inequalities(model);
     const size_t unknowns = 2 * model->nc + 1;
-    const size_t program = rows * (unknowns + 2) + 2 * unknowns + lag_linear_program_memory(unknowns, rows);
+    const size_t program = rows * (unknowns + 2) + 2 * unknowns + model->nc + lag_linear_program_memory(unknowns, rows);
     return lag_larger(program, model->nq * model->nc + lag_svd_memory(model->nq, model->nc));
 }
 
@@ -39,59 +41,56 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layou
     reserve->jacobian = lag_lay(layout, model->nc * model->nq);
     lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->group, &reserve->force, NULL});
     reserve->basis = lag_lay(layout, model->nc * model->nc);
-    lag_lay_all(layout, sides, (double **const[]){&reserve->slack, &reserve->size, &reserve->member, NULL});
+    reserve->gain = lag_lay(layout, sides * model->nc);
+    reserve->empty = lag_lay(layout, sides);
     lag_loads_place(&reserve->loads, model, layout);
     reserve->work = lag_lay(layout, work_memory(model));
 }
 
 /* ---- sides: contacts, and behind them frictions ---- */
 
-static int is_contact(const lag_reserve *r, size_t side)
+static size_t count_sides(const lag_reserve *r)
 {
-    return side < r->motion->model->ncontact;
+    return r->motion->model->ncontact + r->motion->model->nfriction;
 }
 
-/* The rows of the forces that load a side: those of friction. */
+/* Forces that load a side: those of friction. */
 static size_t loads_of(const lag_reserve *r, size_t side)
 {
-    return is_contact(r, side) ? 0 : lag_frictions_components(r->frictions, side - r->motion->model->ncontact);
+    const size_t contacts = r->motion->model->ncontact;
+    return side < contacts ? 0 : lag_frictions_components(r->frictions, side - contacts);
 }
 
+/* The row of the force of a contact; the first of those that load friction. */
 static size_t row_of(const lag_reserve *r, size_t side)
 {
     const lag_model *model = r->motion->model;
-    return is_contact(r, side) ? model->contact_rows[side] : model->friction_rows[(size_t)r->frictions->first[side - model->ncontact]];
+    return side < model->ncontact ? model->contact_rows[side] : model->friction_rows[(size_t)r->frictions->first[side - model->ncontact]];
 }
 
-/* Change of the limit of a side with the multiplier of a row: a contact bears its own force. */
-static double gain_of(const lag_reserve *r, size_t side, size_t row)
+static const double *gain_of(const lag_reserve *r, size_t side)
 {
-    const lag_model *model = r->motion->model;
-    return is_contact(r, side) ? (double)(row == row_of(r, side)) : r->frictions->sticking_gain[(side - model->ncontact) * model->nc + row];
+    return r->gain + side * r->motion->model->nc;
 }
 
-/* The limit of a side with these forces (nc). */
-static double limit_of(const lag_reserve *r, size_t side, const double *force)
+/* The rest of the limit of a side with these forces (nc). */
+static double left_of(const lag_reserve *r, size_t side, const double *force)
 {
     const lag_model *model = r->motion->model;
-    double limit = is_contact(r, side) ? r->motion->lam[row_of(r, side)] : r->frictions->sticking[side - model->ncontact];
+    const double *lam = r->motion->lam;
+    const double load = loads_of(r, side) > 0 ? lag_slip_length(loads_of(r, side), force + row_of(r, side)) : 0.0;
+    double limit = side < model->ncontact ? lam[row_of(r, side)] : r->frictions->sticking[side - model->ncontact];
     for (size_t i = 0; i < model->nc; ++i) {
-        const double gain = gain_of(r, side, i);
-        limit += gain != 0.0 ? gain * (force[i] - r->motion->lam[i]) : 0.0;
+        limit += gain_of(r, side)[i] != 0.0 ? gain_of(r, side)[i] * (force[i] - lam[i]) : 0.0;
     }
-    return limit;
-}
-
-static double load_of(const lag_reserve *r, size_t side, const double *force)
-{
-    return is_contact(r, side) ? 0.0 : lag_slip_length(loads_of(r, side), force + row_of(r, side));
+    return limit - load;
 }
 
 /* 1: the side belongs to this group: a contact, or friction that sticks. */
 static int is_in(const lag_reserve *r, size_t side, double group)
 {
     const size_t row = row_of(r, side);
-    const int holds = is_contact(r, side) || *lag_frictions_sticks(r->frictions, side - r->motion->model->ncontact) != 0.0;
+    const int holds = loads_of(r, side) == 0 || *lag_frictions_sticks(r->frictions, side - r->motion->model->ncontact) != 0.0;
     return holds && (r->group[row] == group || (loads_of(r, side) > 1 && r->group[row + 1] == group));
 }
 
@@ -104,7 +103,7 @@ static double size_of(const lag_reserve *r, size_t side)
 
 /* ---- groups ---- */
 
-/* Lengths of the rows that act. */
+/* Lengths of the rows that act, and gains of the limits. */
 static lag_status find_lengths(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
@@ -113,6 +112,10 @@ static lag_status find_lengths(lag_reserve *r)
     for (size_t i = 0; i < model->nc; ++i) {
         r->length[i] = sqrt(lag_dot(n, r->jacobian + i * n, r->jacobian + i * n));
     }
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        r->gain[i * model->nc + model->contact_rows[i]] = 1.0;
+    }
+    memcpy(r->gain + model->ncontact * model->nc, r->frictions->sticking_gain, model->nfriction * model->nc * sizeof(double));
     return status;
 }
 
@@ -146,7 +149,8 @@ static int find_basis(lag_reserve *r)
     const lag_svd svd = lag_svd_of(n, m, columns, memory);
     for (size_t v = lag_svd_rank(&svd, RANK); v < m; ++v) {
         for (size_t k = 0; k < m; ++k) {
-            r->basis[r->undetermined * model->nc + (size_t)r->group[k]] = svd.v[v * m + k];
+            const size_t row = (size_t)r->group[k];
+            r->basis[r->undetermined * model->nc + row] = svd.v[v * m + k] / r->length[row];
         }
         ++r->undetermined;
     }
@@ -160,7 +164,7 @@ static int share(const lag_reserve *r, size_t a, size_t b)
     for (size_t v = 0; v < r->undetermined; ++v) {
         part += r->basis[v * r->motion->model->nc + a] * r->basis[v * r->motion->model->nc + b];
     }
-    return fabs(part) > RANK;
+    return fabs(part) * r->length[a] * r->length[b] > RANK;
 }
 
 /* Rows a and b, and those that share forces with them, have one number from now on, if both share any. */
@@ -179,21 +183,17 @@ static void find_groups(lag_reserve *r)
     const lag_model *model = r->motion->model;
     for (size_t a = 0; a < model->nc; ++a) {
         r->group[a] = share(r, a, a) ? (double)(a + 1) : 0.0;
-    }
-    for (size_t a = 0; a < model->nc; ++a) {
         for (size_t b = 0; b < a; ++b) {
             if (share(r, a, b)) {
                 join(r, b, a);
             }
         }
     }
-    for (size_t side = model->ncontact; side < model->ncontact + model->nfriction; ++side) {
+    for (size_t side = model->ncontact; side < count_sides(r); ++side) {
         const int sticks = *lag_frictions_sticks(r->frictions, side - model->ncontact) != 0.0;
-        for (size_t a = 0; a < loads_of(r, side) && sticks; ++a) {
-            for (size_t i = 0; i < model->nc; ++i) {
-                if (gain_of(r, side, i) != 0.0) {
-                    join(r, row_of(r, side) + a, i);
-                }
+        for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks; ++i) {
+            if (gain_of(r, side)[i % model->nc] != 0.0) {
+                join(r, row_of(r, side) + i / model->nc, i % model->nc);
             }
         }
     }
@@ -206,6 +206,7 @@ typedef struct program {
     size_t rows, unknowns;
     double least; /* the reserve of the smallest forces, from which s counts: the program has a solution to begin with */
     double *a, *b, *c, *x;
+    double *form; /* (nc) of multipliers */
     double *memory;
 } program;
 
@@ -218,45 +219,34 @@ static program begin(const lag_reserve *r)
     p.b = lag_take(&memory, rows);
     p.c = lag_take(&memory, p.unknowns);
     p.x = lag_take(&memory, p.unknowns);
+    p.form = lag_take(&memory, r->motion->model->nc);
     p.memory = memory;
     lag_fill(p.unknowns, 0.0, p.c);
     p.c[p.unknowns - 1] = 1.0;
+    /* forces may press against each other as much as they like */
+    lag_fill(p.unknowns, 0.0, p.a);
+    p.a[p.unknowns - 1] = p.b[p.rows++] = 1.0;
     return p;
 }
 
-static double *add_row(program *p, double size, double right)
-{
-    double *row = p->a + p->rows * p->unknowns;
-    lag_fill(p->unknowns, 0.0, row);
-    row[p->unknowns - 1] = size;
-    p->b[p->rows++] = right - p->least * size;
-    return row;
-}
-
-/* Adds `part` times the multiplier of a row of the constraints, as far as it is undetermined, to an inequality. */
-static void add_force(const lag_reserve *r, double *inequality, size_t row, double part)
-{
-    for (size_t v = 0; v < r->undetermined && r->length[row] > 0.0; ++v) {
-        const double by = part * r->basis[v * r->motion->model->nc + row] / r->length[row];
-        inequality[v] += by;
-        inequality[r->undetermined + v] -= by;
-    }
-}
-
 /* along . (lam_t + d_t) + s size <= R_0 with the forces d. */
-static void add_tangent(lag_reserve *r, program *p, size_t side, const double *along)
+static void add_tangent(const lag_reserve *r, program *p, size_t side, const double *along)
 {
-    const size_t row = row_of(r, side);
+    const size_t m = r->motion->model->nc;
     const size_t count = loads_of(r, side);
-    double *inequality = add_row(p, size_of(r, side), limit_of(r, side, r->motion->lam) - lag_dot(count, along, r->motion->lam + row));
-    for (size_t a = 0; a < count; ++a) {
-        add_force(r, inequality, row + a, along[a]);
+    const double *force = r->motion->lam + row_of(r, side);
+    const double load = count > 0 ? lag_slip_length(count, force) : 0.0;
+    double *inequality = p->a + p->rows * p->unknowns;
+    for (size_t i = 0; i < m; ++i) {
+        p->form[i] = -gain_of(r, side)[i];
     }
-    for (size_t i = 0; i < r->motion->model->nc; ++i) {
-        if (gain_of(r, side, i) != 0.0) {
-            add_force(r, inequality, i, -gain_of(r, side, i));
-        }
+    lag_axpy(count, 1.0, along, p->form + row_of(r, side));
+    for (size_t v = 0; v < r->undetermined; ++v) {
+        inequality[v] = lag_dot(m, p->form, r->basis + v * m);
+        inequality[r->undetermined + v] = -inequality[v];
     }
+    inequality[p->unknowns - 1] = size_of(r, side);
+    p->b[p->rows++] = left_of(r, side, r->motion->lam) + load - lag_dot(count, along, force) - p->least * size_of(r, side);
 }
 
 /* A contact has one inequality, friction one in each sense, in a plane four around its force. */
@@ -264,9 +254,8 @@ static void add_side(lag_reserve *r, program *p, size_t side)
 {
     const double *force = r->motion->lam + row_of(r, side);
     const size_t count = loads_of(r, side);
-    const double length = load_of(r, side, r->motion->lam);
-    const int turns = count > 1 && length > 0.0;
-    const double along[2] = {turns ? force[0] / length : 1.0, turns ? force[1] / length : 0.0};
+    const double length = count > 1 ? lag_slip_length(count, force) : 0.0;
+    const double along[2] = {length > 0.0 ? force[0] / length : 1.0, length > 0.0 ? force[1] / length : 0.0};
     const double ways[FIRST][2] = {{along[0], along[1]}, {-along[0], -along[1]}, {-along[1], along[0]}, {along[1], -along[0]}};
     for (size_t i = 0; i < (count > 0 ? 2 * count : 1); ++i) {
         add_tangent(r, p, side, ways[i]);
@@ -284,38 +273,30 @@ static void shift(program *p)
     }
 }
 
-static int solve(program *p)
+/* Solves the program: multipliers of its solution, and its reserve. */
+static int solve(lag_reserve *r, program *p, double *reserve)
 {
+    const size_t m = r->motion->model->nc;
     for (size_t i = 0; i < p->rows; ++i) {
         p->b[i] = fmax(p->b[i], 0.0);
     }
-    return lag_linear_program(p->unknowns, p->rows, p->a, p->b, p->c, p->x, p->memory);
-}
-
-/* Multipliers with the solution of the program. */
-static void take_forces(lag_reserve *r, const program *p, double group)
-{
-    const size_t m = r->motion->model->nc;
-    for (size_t k = 0; k < m; ++k) {
-        if (r->group[k] == group) {
-            double change = 0.0;
-            for (size_t v = 0; v < r->undetermined; ++v) {
-                change += r->basis[v * m + k] * (p->x[v] - p->x[r->undetermined + v]);
-            }
-            r->force[k] = r->motion->lam[k] + change / r->length[k];
-        }
+    const int found = lag_linear_program(p->unknowns, p->rows, p->a, p->b, p->c, p->x, p->memory);
+    memcpy(r->force, r->motion->lam, m * sizeof(double));
+    for (size_t v = 0; v < r->undetermined && found; ++v) {
+        lag_axpy(m, p->x[v] - p->x[r->undetermined + v], r->basis + v * m, r->force);
     }
+    *reserve = p->x[p->unknowns - 1] + p->least;
+    return found;
 }
 
 /* Tangents where forces of friction in a plane are beyond their discs, less the reserve; 1: some were added. */
 static int refine(lag_reserve *r, program *p, double group, double reserve)
 {
-    const lag_model *model = r->motion->model;
     int added = 0;
-    for (size_t side = model->ncontact; side < model->ncontact + model->nfriction; ++side) {
+    for (size_t side = 0; side < count_sides(r); ++side) {
         const double *force = r->force + row_of(r, side);
-        const double length = load_of(r, side, r->force);
-        if (loads_of(r, side) > 1 && is_in(r, side, group) && length + (reserve - OUTSIDE) * size_of(r, side) > limit_of(r, side, r->force)) {
+        if (loads_of(r, side) > 1 && is_in(r, side, group) && left_of(r, side, r->force) < (reserve - OUTSIDE) * size_of(r, side)) {
+            const double length = lag_slip_length(2, force);
             const double along[2] = {force[0] / length, force[1] / length};
             add_tangent(r, p, side, along);
             added = 1;
@@ -324,45 +305,46 @@ static int refine(lag_reserve *r, program *p, double group, double reserve)
     return added;
 }
 
-/* The reserve of a group, and what its sides have left; one in which nothing sticks has none. */
-static void find_reserve(lag_reserve *r, double group)
+/* The size of the forces of a group, those that limits follow included; zero: nothing in it sticks. */
+static double find_force_size(const lag_reserve *r, double group)
 {
     const lag_model *model = r->motion->model;
-    const size_t sides = model->ncontact + model->nfriction;
-    program p = begin(r);
+    double size = 0.0;
     int any = 0;
-    r->force_size = 0.0;
-    for (size_t row = 0; row < model->nc; ++row) {
-        int enters = r->group[row] == group;
-        for (size_t side = model->ncontact; side < sides; ++side) { /* a limit follows it */
-            enters = enters || (gain_of(r, side, row) != 0.0 && is_in(r, side, group));
+    for (size_t side = model->ncontact; side < count_sides(r); ++side) {
+        const int sticks = is_in(r, side, group);
+        for (size_t row = 0; row < model->nc && sticks; ++row) {
+            const int enters = r->group[row] == group || gain_of(r, side)[row] != 0.0;
+            size = enters ? fmax(size, fabs(r->motion->lam[row]) * r->length[row]) : size;
         }
-        r->force_size = enters ? fmax(r->force_size, fabs(r->motion->lam[row]) * r->length[row]) : r->force_size;
+        any = any || sticks;
     }
-    for (size_t side = model->ncontact; side < sides; ++side) {
-        any = any || is_in(r, side, group);
+    return any ? size : 0.0;
+}
+
+/* The reserve of a group, and which of its sides have nothing left. */
+static void find_reserve(lag_reserve *r, double group)
+{
+    program p = begin(r);
+    double reserve = 0.0;
+    int again = 1;
+    r->force_size = find_force_size(r, group);
+    if (r->force_size == 0.0) {
+        return;
     }
-    for (size_t side = 0; side < sides && any && r->force_size > 0.0; ++side) {
+    for (size_t side = 0; side < count_sides(r); ++side) {
         if (is_in(r, side, group)) {
             add_side(r, &p, side);
         }
     }
-    if (p.rows == 0) {
-        return;
-    }
-    (void)add_row(&p, 1.0, 1.0); /* forces may press against each other as much as they like */
     shift(&p);
-    int again = 1;
-    for (int k = 0; k <= MORE && again && solve(&p); ++k) {
-        take_forces(r, &p, group);
-        again = refine(r, &p, group, p.x[p.unknowns - 1] + p.least);
+    for (int k = 0; k <= MORE && again && solve(r, &p, &reserve); ++k) {
+        again = refine(r, &p, group, reserve);
     }
-    for (size_t side = 0; side < sides; ++side) {
+    for (size_t side = 0; side < count_sides(r); ++side) {
         if (is_in(r, side, group)) {
-            r->frictions->reserve[side] = (p.x[p.unknowns - 1] + p.least) * size_of(r, side);
-            r->slack[side] = limit_of(r, side, r->force) - load_of(r, side, r->force);
-            r->size[side] = size_of(r, side);
-            r->member[side] = group;
+            r->frictions->reserve[side] = reserve * size_of(r, side);
+            r->empty[side] = left_of(r, side, r->force) <= NOTHING * size_of(r, side);
         }
     }
 }
@@ -373,8 +355,7 @@ lag_status lag_reserve_evaluate(lag_reserve *r)
     if (model->nfriction == 0) {
         return LAG_OK;
     }
-    memcpy(r->force, r->motion->lam, model->nc * sizeof(double));
-    lag_fill(model->ncontact + model->nfriction, (double)NAN, r->frictions->reserve);
+    lag_fill(count_sides(r), (double)NAN, r->frictions->reserve);
     if (!lag_any(model->nfriction, r->motion->w + r->motion->places.sticks)) {
         return LAG_OK;
     }

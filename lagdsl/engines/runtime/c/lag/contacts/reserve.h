@@ -20,12 +20,12 @@ typedef struct lag_reserve {
     double *jacobian, *residual; /* (nc, nq) (nc) of the present mode */
     double force_size;       /* the largest force of the rows of a group, as if they had unit length */
     double *length;          /* (nc) of each row; zero: it does not act */
-    double *basis;           /* (undetermined, nc) of forces without effect, by unit rows, orthonormal; */
+    double *basis;           /* (undetermined, nc) multipliers without effect, orthonormal as forces of unit rows; */
     size_t undetermined;     /* so many */
     double *group;           /* (nc) of each row; zero: it shares nothing, or does not act */
-    double *force;           /* (nc) multipliers with the largest least reserve, */
-    double *slack, *size;    /* (ncontact + nfriction) what these forces leave, and forces in which that is told */
-    double *member;          /* (ncontact + nfriction) the group of each */
+    double *force;           /* (nc) multipliers with the largest least reserve */
+    double *gain;            /* (ncontact + nfriction, nc) how the limits of contacts, their forces, and of friction change with multipliers */
+    double *empty;           /* (ncontact + nfriction) 1: with these forces it has nothing left */
     lag_loads loads;         /* that forces bring along, as those of friction that slides */
     double *work;
 } lag_reserve;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/linalg/lemke.h"
 #include "lag/linalg/nnls.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
@@ -15,10 +14,11 @@ enum { MOST_SWEEPS = 4000, SWEEPS = 10, MOST_STEPS = 20 };
 /* Newton's method goes on down to this part. */
 static const double ROUNDING = 1e-15;
 
-/* The problem with rows scaled to a unit diagonal of G, and c to a size of one. */
+/* The problem with rows scaled to a unit diagonal of G. */
 typedef struct scaled {
     const lag_friction_problem *p;
     size_t size;
+    double largest;           /* of c */
     double *scale;            /* (size) */
     double *at;               /* (frictions) the first row of each */
     double *lam, *best, *kept; /* (size) */
@@ -26,14 +26,12 @@ typedef struct scaled {
     double *rest;             /* (size) lam - proj(lam - gamma) */
     double *change;           /* (size) */
     double *slope;            /* (size, size) of `rest` */
-    double *work;             /* of Lemke's method, or of a decomposition */
+    double *work;             /* of a decomposition */
 } scaled;
 
 size_t lag_friction_problem_memory(size_t normals, size_t frictions, size_t size)
 {
-    const size_t all = normals + 3 * frictions;
-    const size_t general = frictions > 0 ? lag_larger(all * all + 2 * all + lag_lemke_memory(all), lag_svd_memory(size, size)) : 0;
-    return frictions > 0 ? 7 * size + frictions + size * size + general : lag_nnls_memory(normals);
+    return lag_larger(lag_nnls_memory(normals), 7 * size + frictions + size * size + lag_svd_memory(size, size));
 }
 
 /* A row without compliance has no scale: nothing moves it. */
@@ -57,7 +55,7 @@ static void find_scales(scaled *s)
     }
 }
 
-static scaled begin(const lag_friction_problem *p, double *memory, double *size)
+static scaled begin(const lag_friction_problem *p, double *memory)
 {
     scaled s = {.p = p, .size = p->normals};
     for (size_t k = 0; k < p->frictions; ++k) {
@@ -75,21 +73,16 @@ static scaled begin(const lag_friction_problem *p, double *memory, double *size)
         next += (size_t)p->components[k];
     }
     find_scales(&s);
-    *size = 0.0;
     for (size_t i = 0; i < n; ++i) {
         p->rates[i] *= s.scale[i];
-        *size = fmax(*size, fabs(p->rates[i]));
+        s.largest = fmax(s.largest, fabs(p->rates[i]));
         for (size_t j = 0; j < n; ++j) {
             p->compliance[i * n + j] *= s.scale[i] * s.scale[j];
         }
     }
-    *size = *size > 0.0 ? *size : 1.0;
-    for (size_t i = 0; i < n; ++i) {
-        p->rates[i] /= *size;
-    }
     for (size_t k = 0; k < p->frictions; ++k) {
         const double own = s.scale[(size_t)s.at[k]];
-        p->limits[k] /= own * *size;
+        p->limits[k] /= own;
         for (size_t i = 0; i < p->normals; ++i) {
             p->coefficients[k * p->normals + i] *= s.scale[i] / own;
         }
@@ -98,54 +91,24 @@ static scaled begin(const lag_friction_problem *p, double *memory, double *size)
     return s;
 }
 
-static double limit_of(const scaled *s, size_t k, const double *lam)
+static double limit_of(const scaled *s, size_t k)
 {
-    return s->p->limits[k] + lag_dot(s->p->normals, s->p->coefficients + k * s->p->normals, lam);
+    return fmax(s->p->limits[k] + lag_dot(s->p->normals, s->p->coefficients + k * s->p->normals, s->lam), 0.0);
 }
 
-/* ---- scalar slips ---- */
-
-/* Unknowns: normal forces, forces of friction in either sense, speeds of slips. */
-static int solve_scalar(scaled *s)
+static double rate_of(const scaled *s, size_t i)
 {
-    const lag_friction_problem *p = s->p;
-    const size_t n = s->size;
-    const size_t normals = p->normals;
-    const size_t slips = p->frictions;
-    const size_t all = normals + 3 * slips;
-    double *memory = s->work;
-    double *a = lag_take(&memory, all * all);
-    double *b = lag_take(&memory, all);
-    double *z = lag_take(&memory, all);
-    lag_fill(all * all, 0.0, a);
-    for (size_t i = 0; i < n; ++i) {
-        const int is_slip = i >= normals;
-        double *row = a + i * all;
-        for (size_t j = 0; j < n; ++j) {
-            row[j] = p->compliance[i * n + j];
-            row[j + slips] = j >= normals ? -p->compliance[i * n + j] : row[j + slips];
-        }
-        b[i] = p->rates[i];
-        if (is_slip) {
-            const size_t k = i - normals;
-            double *other = row + slips * all;
-            for (size_t j = 0; j < normals + 2 * slips; ++j) {
-                other[j] = -row[j];
-            }
-            b[i + slips] = -b[i];
-            row[normals + 2 * slips + k] = other[normals + 2 * slips + k] = 1.0;
-            double *limit = a + (normals + 2 * slips + k) * all;
-            memcpy(limit, p->coefficients + k * normals, normals * sizeof(double));
-            limit[normals + k] = limit[normals + slips + k] = -1.0;
-            b[normals + 2 * slips + k] = fmax(p->limits[k], 0.0);
-        }
-    }
-    const int found = lag_lemke(all, a, b, z, memory);
-    memcpy(s->lam, z, normals * sizeof(double));
-    for (size_t k = 0; k < slips; ++k) {
-        s->lam[normals + k] = z[normals + k] - z[normals + slips + k];
-    }
-    return found;
+    return s->p->rates[i] + lag_dot(s->size, s->p->compliance + i * s->size, s->lam);
+}
+
+/* The force of friction k that takes this part of its slip away, wherever its limit is; its length. */
+static double find_force(const scaled *s, size_t k, double part, double *y)
+{
+    const size_t first = (size_t)s->at[k];
+    const size_t last = first + (size_t)s->p->components[k] - 1;
+    y[0] = s->lam[first] - part * rate_of(s, first);
+    y[1] = last > first ? s->lam[last] - part * rate_of(s, last) : 0.0;
+    return hypot(y[0], y[1]);
 }
 
 /* ---- Newton's method, and the residual of the law ---- */
@@ -178,12 +141,9 @@ static void evaluate_slip(scaled *s, size_t k)
 {
     const size_t first = (size_t)s->at[k];
     const size_t count = (size_t)s->p->components[k];
-    const double radius = fmax(limit_of(s, k, s->lam), 0.0);
-    double y[2] = {0.0, 0.0};
-    for (size_t a = 0; a < count; ++a) {
-        y[a] = s->lam[first + a] - s->gamma[first + a];
-    }
-    const double length = hypot(y[0], y[1]);
+    const double radius = limit_of(s, k);
+    double y[2];
+    const double length = find_force(s, k, 1.0, y);
     const int slips = !(length < radius);
     for (size_t a = 0; a < count; ++a) {
         s->rest[first + a] = slips ? s->lam[first + a] - (length > 0.0 ? radius * y[a] / length : 0.0) : s->gamma[first + a];
@@ -201,7 +161,7 @@ static double evaluate_projection(scaled *s)
     double most = 0.0;
     memcpy(s->slope, p->compliance, n * n * sizeof(double));
     for (size_t i = 0; i < n; ++i) {
-        s->gamma[i] = p->rates[i] + lag_dot(n, p->compliance + i * n, s->lam);
+        s->gamma[i] = rate_of(s, i);
     }
     for (size_t i = 0; i < p->normals; ++i) {
         const int acts = s->lam[i] - s->gamma[i] > 0.0;
@@ -222,11 +182,11 @@ static double evaluate_projection(scaled *s)
 
 static double size_of(const scaled *s)
 {
-    double most = 1.0;
+    double most = s->largest;
     for (size_t i = 0; i < s->size; ++i) {
         most = fmax(most, fabs(s->lam[i]));
     }
-    return most;
+    return most > 0.0 ? most : 1.0;
 }
 
 /*
@@ -256,29 +216,20 @@ static double improve(scaled *s)
     return least;
 }
 
-/* ---- slips in a plane ---- */
+/* ---- Gauss-Seidel's method ---- */
 
 static void sweep(scaled *s)
 {
     const lag_friction_problem *p = s->p;
-    const size_t n = s->size;
     for (size_t i = 0; i < p->normals; ++i) {
-        const double *row = p->compliance + i * n;
-        s->lam[i] = row[i] > 0.0 ? fmax(0.0, s->lam[i] - (p->rates[i] + lag_dot(n, row, s->lam)) / row[i]) : 0.0;
+        s->lam[i] = p->compliance[i * (s->size + 1)] > 0.0 ? fmax(0.0, s->lam[i] - rate_of(s, i)) : 0.0;
     }
     for (size_t k = 0; k < p->frictions; ++k) {
         const size_t first = (size_t)s->at[k];
         const size_t count = (size_t)p->components[k];
-        const double radius = fmax(limit_of(s, k, s->lam), 0.0);
-        double trace = 0.0;
-        double y[2] = {0.0, 0.0};
-        for (size_t a = 0; a < count; ++a) {
-            trace += p->compliance[(first + a) * n + first + a];
-        }
-        for (size_t a = 0; a < count && trace > 0.0; ++a) {
-            y[a] = s->lam[first + a] - (p->rates[first + a] + lag_dot(n, p->compliance + (first + a) * n, s->lam)) / trace;
-        }
-        const double length = hypot(y[0], y[1]);
+        const double radius = limit_of(s, k);
+        double y[2];
+        const double length = find_force(s, k, 1.0 / (double)count, y);
         for (size_t a = 0; a < count; ++a) {
             s->lam[first + a] = length > radius ? radius * y[a] / length : y[a];
         }
@@ -318,19 +269,14 @@ static int is_symmetric(const lag_friction_problem *problem, size_t size)
 
 lag_status lag_friction_problem_solve(lag_friction_problem *problem, double *lam, double *memory)
 {
-    double size = 1.0;
-    int scalar = 1;
     if (problem->frictions == 0 && is_symmetric(problem, problem->normals)) {
         lag_nnls(problem->normals, problem->compliance, problem->rates, lam, memory);
         return LAG_OK;
     }
-    for (size_t k = 0; k < problem->frictions; ++k) {
-        scalar = scalar && problem->components[k] == 1.0;
-    }
-    scaled s = begin(problem, memory, &size);
-    const double left = scalar && solve_scalar(&s) ? improve(&s) : iterate(&s);
+    scaled s = begin(problem, memory);
+    const double left = iterate(&s);
     for (size_t i = 0; i < s.size; ++i) {
-        lam[i] = left <= LAG_SOLVED ? s.lam[i] * s.scale[i] * size : 0.0;
+        lam[i] = left <= LAG_SOLVED ? s.lam[i] * s.scale[i] : 0.0;
     }
     return left <= LAG_SOLVED ? LAG_OK : LAG_NO_FORCES;
 }

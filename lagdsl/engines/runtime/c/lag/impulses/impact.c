@@ -3,17 +3,9 @@
 #include <string.h>
 
 #include "lag/impulses/friction_problem.h"
-#include "lag/impulses/impulse_step.h"
+#include "lag/impulses/impulse.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
-
-/* The rates (size) of the rows at rates qd, from their speeds at impulse->rates. */
-static double speed_at(const lag_impulse *impulse, const lag_inequalities *rows, size_t i, const double *qd)
-{
-    const size_t n = impulse->motion->model->nq;
-    const double *row = rows->rows + i * n;
-    return rows->speed[i] + lag_dot(n, row, qd) - lag_dot(n, row, impulse->rates);
-}
 
 /* The impulses of the rows at impulse->rates, from the momenta of now; each gap parts with this part of its approach at least. */
 static lag_status solve_compression(lag_impulse *impulse, double t, double *x, lag_inequalities *rows, const double *rebound)
@@ -38,7 +30,7 @@ static lag_status expand(lag_impulse *impulse, double t, double *x, lag_inequali
     memcpy(rows->first, rows->force, rows->size * sizeof(double));
     memcpy(impulse->before, impulse->now, n * sizeof(double));
     for (size_t i = 0; i < rows->size; ++i) {
-        rows->speed[i] = speed_at(impulse, rows, i, x + n);
+        rows->speed[i] = lag_impulse_speed_at(impulse, rows, i, x + n);
     }
     memcpy(impulse->rates, x + n, n * sizeof(double));
     for (size_t i = 0; i < rows->normals; ++i) {
@@ -60,7 +52,7 @@ static double work_of(const lag_impulse *impulse, const lag_inequalities *rows, 
     double work = 0.0;
     *size = 0.0;
     for (size_t i = 0; i < rows->size; ++i) {
-        const double term = 0.5 * rows->force[i] * (rows->start[i] + speed_at(impulse, rows, i, qd));
+        const double term = 0.5 * rows->force[i] * (rows->start[i] + lag_impulse_speed_at(impulse, rows, i, qd));
         work += term;
         *size += fabs(0.5 * rows->force[i] * rows->start[i]) + fabs(term);
     }
@@ -95,7 +87,6 @@ lag_status lag_impulse_impact(lag_impulse *impulse, double t, double *x, lag_ine
     const size_t n = impulse->motion->model->nq;
     double size = 0.0;
     lag_status status = lag_impulse_evaluate(impulse, t, x);
-    lag_impulse_choose(impulse, rows);
     memcpy(impulse->point, x + n, n * sizeof(double));
     status = status == LAG_OK ? solve_restitution(impulse, t, x, rows) : status;
     if (status == LAG_OK && work_of(impulse, rows, x + n, &size) > LAG_SOLVED * size && equalize(rows)) {
@@ -109,7 +100,7 @@ lag_status lag_impulse_impact(lag_impulse *impulse, double t, double *x, lag_ine
 
 /* ---- accelerations ---- */
 
-lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows, double *qdd)
+lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows)
 {
     lag_motion *motion = impulse->motion;
     const lag_model *model = motion->model;
@@ -120,10 +111,7 @@ lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *
     for (size_t i = 0; i < model->nc; ++i) {
         impulse->residual[i] = -impulse->residual[i];
     }
-    lag_impulse_choose(impulse, NULL);
     lag_fill(model->nq, 0.0, impulse->now);
-    lag_fill(model->nq, 0.0, qdd);
-    status = status == LAG_OK ? lag_impulse_step_find(impulse, NULL, rows, qdd, qdd) : status;
-    memcpy(qdd, impulse->change, model->nq * sizeof(double));
-    return status;
+    lag_fill(model->nq, 0.0, impulse->rates);
+    return status == LAG_OK ? lag_impulse_step_find(impulse, NULL, rows, impulse->rates) : status;
 }

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "lag/impulses/friction_problem.h"
-#include "lag/impulses/impulse_step.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/finite.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 
@@ -24,7 +24,7 @@ void lag_impulse_place(lag_impulse *impulse, lag_motion *motion, lag_layout *lay
     const lag_model *model = motion->model;
     *impulse = (lag_impulse){.motion = motion, .mass = motion->written.mass, .jacobian = motion->written.rows[1]};
     lag_lay_all(layout, model->nq, (double **const[]){&impulse->before, &impulse->now, &impulse->aim, &impulse->from, &impulse->size, &impulse->change,
-        &impulse->chosen, &impulse->rates, NULL});
+        &impulse->rates, NULL});
     impulse->residual = lag_lay(layout, model->nc);
     impulse->w = lag_lay(layout, model->nw);
     impulse->point = lag_lay(layout, lag_motion_size(model));
@@ -72,28 +72,19 @@ lag_status lag_impulse_evaluate(lag_impulse *impulse, double t, const double *x)
     return status;
 }
 
-/* Row i of M times the rates or their change (nq), for chosen coordinates; `sum` of magnitudes, too. */
-static double times_mass(const lag_impulse *impulse, size_t i, const double *rates, double *sum)
+/* Row i of M times the rates or their change (nq). */
+static double times_mass(const lag_impulse *impulse, size_t i, const double *rates)
 {
-    const double *row = impulse->mass + i * impulse->motion->model->nq;
-    double along = 0.0;
-    *sum = 0.0;
-    for (size_t k = 0; k < impulse->count; ++k) {
-        const double term = row[lag_impulse_place_of(impulse, k)] * rates[lag_impulse_place_of(impulse, k)];
-        along += term;
-        *sum += fabs(term);
-    }
-    return along;
+    const size_t n = impulse->motion->model->nq;
+    return lag_dot(n, impulse->mass + i * n, rates);
 }
 
 /* Sizes of the terms of the momenta: below a part of these, a momentum is round-off. */
 static void find_sizes(lag_impulse *impulse, const double *qd)
 {
-    for (size_t k = 0; k < impulse->count; ++k) {
-        const size_t i = lag_impulse_place_of(impulse, k);
-        double terms = 0.0;
-        (void)times_mass(impulse, i, qd, &terms);
-        impulse->size[i] = fabs(impulse->aim[i]) + fabs(impulse->now[i]) + terms;
+    const size_t n = impulse->motion->model->nq;
+    for (size_t i = 0; i < n; ++i) {
+        impulse->size[i] = fabs(impulse->aim[i]) + fabs(impulse->now[i]) + lag_dot_size(n, impulse->mass + i * n, qd);
     }
 }
 
@@ -101,8 +92,7 @@ static void find_sizes(lag_impulse *impulse, const double *qd)
 static int differs(const lag_impulse *impulse, double part)
 {
     int off = 0;
-    for (size_t k = 0; k < impulse->count; ++k) {
-        const size_t i = lag_impulse_place_of(impulse, k);
+    for (size_t i = 0; i < impulse->motion->model->nq; ++i) {
         off = off || fabs(impulse->aim[i] - impulse->now[i]) > part * impulse->size[i];
     }
     return off;
@@ -114,25 +104,16 @@ static int is_off(const lag_impulse *impulse, const double *qd, double part, dou
     const size_t n = impulse->motion->model->nq;
     int off = differs(impulse, part);
     for (size_t i = 0; i < impulse->motion->model->nc; ++i) {
-        double size = 0.0;
-        double along = 0.0;
-        int takes_part = impulse->count == n;
-        for (size_t k = 0; k < impulse->count; ++k) {
-            takes_part = takes_part || impulse->jacobian[i * n + lag_impulse_place_of(impulse, k)] != 0.0;
-            const double term = impulse->jacobian[i * n + lag_impulse_place_of(impulse, k)] * qd[lag_impulse_place_of(impulse, k)];
-            size += fabs(term);
-            along += term;
-        }
-        size += fabs(impulse->residual[i] - along);
-        off = off || (takes_part && fabs(impulse->residual[i]) > rows * size);
+        const double *row = impulse->jacobian + i * n;
+        const double size = lag_dot_size(n, row, qd) + fabs(impulse->residual[i] - lag_dot(n, row, qd));
+        off = off || fabs(impulse->residual[i]) > rows * size;
     }
     return off;
 }
 
 int lag_impulse_differs(lag_impulse *impulse, const double *qd, double part)
 {
-    lag_impulse_choose(impulse, NULL);
-    memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
+    memcpy(impulse->aim, impulse->before, impulse->motion->model->nq * sizeof(double));
     find_sizes(impulse, qd);
     return differs(impulse, part);
 }
@@ -147,8 +128,7 @@ static int overshoots(lag_impulse *impulse, const double *qd)
 {
     double start = 0.0;
     double rest = 0.0;
-    for (size_t k = 0; k < impulse->count; ++k) {
-        const size_t i = lag_impulse_place_of(impulse, k);
+    for (size_t i = 0; i < impulse->motion->model->nq; ++i) {
         start += impulse->change[i] * (impulse->aim[i] - impulse->from[i]);
         rest += impulse->change[i] * (impulse->aim[i] - impulse->now[i]);
     }
@@ -167,14 +147,12 @@ static lag_status judge(const lag_impulse *impulse, const double *qd)
 {
     const size_t n = impulse->motion->model->nq;
     double action = 0.0;
-    double sum = 0.0;
     double most = LAG_SOLVED;
     lag_status status = LAG_OK;
-    for (size_t k = 0; k < impulse->count; ++k) {
-        action += qd[lag_impulse_place_of(impulse, k)] * times_mass(impulse, lag_impulse_place_of(impulse, k), qd, &sum);
+    for (size_t i = 0; i < n; ++i) {
+        action += qd[i] * times_mass(impulse, i, qd);
     }
-    for (size_t k = 0; k < impulse->count; ++k) {
-        const size_t i = lag_impulse_place_of(impulse, k);
+    for (size_t i = 0; i < n; ++i) {
         const double noise = LAG_FEW * DBL_EPSILON * sqrt(fabs(impulse->mass[i * n + i]) * fabs(action));
         const double off = fabs(impulse->aim[i] - impulse->now[i]);
         const double part = off <= noise ? 0.0 : off / fmax(impulse->size[i], DBL_MIN);
@@ -191,12 +169,10 @@ static lag_status judge(const lag_impulse *impulse, const double *qd)
 static lag_status step(lag_impulse *impulse, double t, double *x)
 {
     const size_t n = impulse->motion->model->nq;
-    double sum = 0.0;
     impulse->part = 1.0;
     memcpy(impulse->from, impulse->now, n * sizeof(double));
-    for (size_t k = 0; k < impulse->count; ++k) {
-        const size_t i = lag_impulse_place_of(impulse, k);
-        impulse->aim[i] = impulse->now[i] + times_mass(impulse, i, impulse->change, &sum);
+    for (size_t i = 0; i < n; ++i) {
+        impulse->aim[i] = impulse->now[i] + times_mass(impulse, i, impulse->change);
     }
     lag_axpy(n, impulse->part, impulse->change, x + n);
     lag_status status = lag_impulse_evaluate(impulse, t, x);
@@ -222,42 +198,11 @@ static lag_status retreat(lag_impulse *impulse, double t, double *x)
 
 /* ---- the problem ---- */
 
-static int are_finite(const lag_impulse *impulse)
-{
-    size_t i = 0;
-    while (i < impulse->motion->model->nq && isfinite(impulse->now[i])) {
-        ++i;
-    }
-    return i == impulse->motion->model->nq;
-}
-
-/* Looks at x. If there are no momenta at the rates there, as beyond the speed of light on a carriage that starts, at smaller ones. */
-static lag_status begin(lag_impulse *impulse, double t, double *x)
-{
-    const size_t n = impulse->motion->model->nq;
-    double *qd = x + n;
-    lag_status status = lag_impulse_evaluate(impulse, t, x);
-    if (status != LAG_OK || are_finite(impulse)) {
-        return status;
-    }
-    memcpy(impulse->point, qd, n * sizeof(double));
-    for (int k = 0; k < MOST_STEPS && status == LAG_OK && !are_finite(impulse); ++k) {
-        for (size_t i = 0; i < n; ++i) {
-            qd[i] *= 0.5;
-        }
-        status = lag_impulse_evaluate(impulse, t, x);
-    }
-    if (status == LAG_OK && !are_finite(impulse)) { /* the rates are not to blame */
-        memcpy(qd, impulse->point, n * sizeof(double));
-    }
-    return status;
-}
-
 lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows)
 {
     const double *qd = x + impulse->motion->model->nq;
     for (int k = 0; k < MOST_STEPS; ++k) {
-        lag_status status = lag_impulse_step_find(impulse, held, rows, impulse->rates, qd);
+        lag_status status = lag_impulse_step_find(impulse, held, rows, qd);
         status = status == LAG_SINGULAR && k > 0 ? retreat(impulse, t, x) : status == LAG_OK ? step(impulse, t, x) : status;
         if (status != LAG_OK) {
             return status;
@@ -270,6 +215,18 @@ lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const 
     return judge(impulse, qd);
 }
 
+/* Looks at x. If there are no momenta at the rates there, as beyond the speed of light on a carriage that starts, at smaller ones. */
+static lag_status begin(lag_impulse *impulse, double t, double *x)
+{
+    const size_t n = impulse->motion->model->nq;
+    lag_status status = lag_impulse_evaluate(impulse, t, x);
+    for (int k = 0; k < MOST_STEPS && status == LAG_OK && !lag_finite(n, impulse->now); ++k) {
+        lag_axpy(n, -0.5, x + n, x + n); /* half of them */
+        status = lag_impulse_evaluate(impulse, t, x);
+    }
+    return status;
+}
+
 lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows, int *jumped)
 {
     const double *qd = x + impulse->motion->model->nq;
@@ -278,8 +235,7 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
     if (status != LAG_OK) {
         return status;
     }
-    lag_impulse_choose(impulse, NULL);
-    memcpy(impulse->aim, impulse->before, impulse->count * sizeof(double));
+    memcpy(impulse->aim, impulse->before, impulse->motion->model->nq * sizeof(double));
     find_sizes(impulse, qd);
     *jumped = is_off(impulse, qd, LAG_EXACT, LAG_SOLVED) || rows != NULL;
     return *jumped ? lag_impulse_iterate(impulse, t, x, held, rows) : LAG_OK;

@@ -30,8 +30,6 @@ typedef struct lag_impulse {
     double *jacobian;  /* (nc, nq) and the rows of the constraints with */
     double *residual;  /* (nc) what they lack: J qd + b */
     double *w;         /* (nw) the discretes without contacts and friction */
-    double *chosen;    /* (nq) coordinates that take part, ascending, */
-    size_t count;      /* so many */
     double *change;    /* (nq) of the rates in the last step of Newton's method, */
     double part;       /* of which so much was taken */
     double *aim;       /* (nq) momenta to which it leads in the first order */
@@ -68,12 +66,30 @@ lag_status lag_impulse_balance(lag_impulse *impulse, double t, double *x, const 
 lag_status lag_impulse_impact(lag_impulse *impulse, double t, double *x, lag_inequalities *rows);
 
 /*
- * Accelerations qdd (nq) at x at time t, where `rows` act with rows->force beside the constraints that the discretes w (nw) have; speeds of rows are
- * their accelerations at qdd = 0. LAG_NO_FORCES: no forces satisfy the law. LAG_SINGULAR: some accelerations are not determined.
+ * Accelerations, as impulse->change, at x at time t, where `rows` act with rows->force beside the constraints that the discretes w (nw) have; speeds of rows are
+ * their accelerations where all others are zero. LAG_NO_FORCES: no forces satisfy the law. LAG_SINGULAR: some accelerations are not determined.
  */
-lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows, double *qdd);
+lag_status lag_impulse_accelerate(lag_impulse *impulse, double t, const double *x, const double *w, lag_inequalities *rows);
 
 /* Change of the rates (nq) for a unit impulse along `row` (nq), with what was evaluated last. LAG_SINGULAR: some rates are not determined. */
 lag_status lag_impulse_respond(lag_impulse *impulse, const double *row, double *change);
+
+/* ---- parts of it ---- */
+
+/* Doubles of the work of one step. */
+size_t lag_impulse_step_memory(const lag_model *model);
+
+/*
+ * impulse->change of the rates in the first order, from momenta, M and rows as they were evaluated; `held` rates stay if the others can do it, and
+ * `rows` act (null: none), whose speeds are those at impulse->rates; the rates so far are qd (nq).
+ * LAG_NO_FORCES: as lag_friction_problem_solve().
+ */
+lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_inequalities *rows, const double *qd);
+
+/* The speed of row i at rates qd, from its speed at impulse->rates. */
+double lag_impulse_speed_at(const lag_impulse *impulse, const lag_inequalities *rows, size_t i, const double *qd);
+
+/* Newton's method from rates at which all was evaluated; speeds of `rows` (or null) are those at impulse->rates. */
+lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows);
 
 #endif

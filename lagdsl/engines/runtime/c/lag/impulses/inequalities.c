@@ -10,8 +10,8 @@ void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *mod
     lag_lay_all(layout, most * model->nq, (double **const[]){&inequalities->rows, &inequalities->columns, NULL});
     lag_lay_all(layout, most, (double **const[]){&inequalities->speed, &inequalities->force, &inequalities->after, &inequalities->scale,
         &inequalities->compliance, &inequalities->start, &inequalities->first, NULL});
-    inequalities->restitution = lag_lay(layout, model->ngap);
-    lag_lay_all(layout, model->nfriction, (double **const[]){&inequalities->components, &inequalities->limits, NULL});
+    lag_lay_all(layout, model->ngap, (double **const[]){&inequalities->gap, &inequalities->restitution, NULL});
+    lag_lay_all(layout, model->nfriction, (double **const[]){&inequalities->friction, &inequalities->components, &inequalities->limits, NULL});
     inequalities->coefficients = lag_lay(layout, model->nfriction * model->ngap);
     lag_inequalities_clear(inequalities);
 }
@@ -30,21 +30,21 @@ static void add(lag_inequalities *inequalities, size_t nq, const double *row, do
     inequalities->force[i] = 0.0;
 }
 
-size_t lag_inequalities_add_normal(lag_inequalities *inequalities, size_t nq, const double *row, double speed, double restitution)
+void lag_inequalities_add_normal(lag_inequalities *inequalities, size_t nq, size_t gap, const double *row, double speed, double restitution)
 {
     add(inequalities, nq, row, speed);
-    inequalities->restitution[inequalities->normals] = restitution;
-    return inequalities->normals++;
+    inequalities->gap[inequalities->normals] = (double)gap;
+    inequalities->restitution[inequalities->normals++] = restitution;
 }
 
-size_t lag_inequalities_add_friction(lag_inequalities *inequalities, size_t nq, size_t components, const double *rows, const double *speed)
+void lag_inequalities_add_friction(lag_inequalities *inequalities, size_t nq, size_t friction, size_t components, const double *rows, const double *speed)
 {
     const size_t k = inequalities->frictions++;
     for (size_t a = 0; a < components; ++a) {
         add(inequalities, nq, rows + a * nq, speed[a]);
     }
+    inequalities->friction[k] = (double)friction;
     inequalities->components[k] = (double)components;
     inequalities->limits[k] = 0.0;
     lag_fill(inequalities->normals, 0.0, inequalities->coefficients + k * inequalities->normals);
-    return k;
 }

@@ -32,7 +32,8 @@ typedef struct lag_inequalities {
     double *rows;         /* (size, nq) derivatives by qd */
     double *columns;      /* (size, nq) momenta or forces for unit forces of the rows: the rows, less what slips under them */
     double *speed;        /* (size) rates or accelerations to which impulses or forces add */
-    double *restitution;  /* (normals) */
+    double *gap, *restitution; /* (normals) the contact of each, or collision behind them */
+    double *friction;     /* (frictions) which each is */
     double *components;   /* (frictions) 1 or 2 */
     double *limits;       /* (frictions) of friction, without the part that follows normal forces, */
     double *coefficients; /* (frictions, normals) and this part for unit ones */
@@ -47,10 +48,21 @@ void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *mod
 /* None. Normals come first. */
 void lag_inequalities_clear(lag_inequalities *inequalities);
 
-/* One more normal, with its row (nq); its number. */
-size_t lag_inequalities_add_normal(lag_inequalities *inequalities, size_t nq, const double *row, double speed, double restitution);
+/* One more normal, of this gap, with its row (nq). */
+void lag_inequalities_add_normal(lag_inequalities *inequalities, size_t nq, size_t gap, const double *row, double speed, double restitution);
 
-/* One more friction, with the rows (components, nq) of its slip; its number. Its limit and coefficients are zero. */
-size_t lag_inequalities_add_friction(lag_inequalities *inequalities, size_t nq, size_t components, const double *rows, const double *speed);
+/* One more friction, with the rows (components, nq) of its slip. Its limit and coefficients are zero. */
+void lag_inequalities_add_friction(lag_inequalities *inequalities, size_t nq, size_t friction, size_t components, const double *rows, const double *speed);
+
+/* The gap of normal i, the friction that is number i of them. */
+static inline size_t lag_gap_of(const lag_inequalities *inequalities, size_t i)
+{
+    return (size_t)inequalities->gap[i];
+}
+
+static inline size_t lag_friction_of(const lag_inequalities *inequalities, size_t i)
+{
+    return (size_t)inequalities->friction[i];
+}
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef LAG_VECTOR_H
 #define LAG_VECTOR_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* x . y */
@@ -10,6 +11,16 @@ static inline double lag_dot(size_t count, const double *x, const double *y)
     double sum = 0.0;
     for (size_t i = 0; i < count; ++i) {
         sum += x[i] * y[i];
+    }
+    return sum;
+}
+
+/* The magnitudes of the terms of x . y: below a part of their sum it is round-off. */
+static inline double lag_dot_size(size_t count, const double *x, const double *y)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        sum += fabs(x[i] * y[i]);
     }
     return sum;
 }
