@@ -11,11 +11,16 @@
  * longer, below it the explicit method could do steps as long as those of the implicit one.
  */
 static const double EASY = 2.0;
+/* Steps are steady while the next one is not so many times as long as the last, and the last one not so many times shorter than the mean. */
+static const double STEADY = 2.0;
 enum { SIGNS = 15, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
 enum { PRODUCTS = ITERATIONS + 2 };
-/* Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run, as far as it is foreseen. */
-enum { PARTS = 64 };
+/*
+ * Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run, as far as it is foreseen; those without signs
+ * leave half of that.
+ */
+enum { PARTS = 32, PARTS_WITHOUT_SIGNS = 2 * PARTS };
 
 /* Numbers of the matrix. */
 static size_t matrix_numbers(size_t size)
@@ -175,20 +180,21 @@ static void settle_visit(lag_stiffness *stiffness)
 /* The next question without signs: behind twice the steps, or when the work is so much that one more trial in vain is a small part of it. */
 static void ask_later(lag_stiffness *stiffness, const lag_stepper *s, double probe)
 {
-    const double work = PARTS * (stiffness->lost + probe) - stiffness->spent;
+    const double work = PARTS_WITHOUT_SIGNS * (stiffness->lost + probe) - stiffness->spent;
     stiffness->question = s->counts.steps + (size_t)fmax(SIGNS, fmin((double)s->counts.steps, work / LAG_DOP853_STAGES));
 }
 
 /*
  * True if the implicit method is to go on: one step of it reaches so far that it takes less work to `stop`, its begin included, than the
- * explicit one does. As nobody knows what comes behind `stop`, at least as much is expected to come as there was.
+ * explicit one does. As nobody knows what comes behind `stop`, at least as much is expected to come as there was. A trial in vain may take one of
+ * `parts` of all.
  */
-static int is_worth_it(lag_stiffness *stiffness, lag_stepper *s, double stop)
+static int is_worth_it(lag_stiffness *stiffness, lag_stepper *s, double stop, double parts)
 {
     const double ahead = fmax((stop - s->t) / stiffness->progress, stiffness->spent);
     const lag_radau_plan plan = lag_radau_expect(s);
     const double h = stiffness->progress * plan.step * ahead / (ahead - plan.begin);
-    const int affordable = stiffness->lost + plan.probe <= (stiffness->spent + ahead) / PARTS && plan.begin < ahead;
+    const int affordable = stiffness->lost + plan.probe <= (stiffness->spent + ahead) / parts && plan.begin < ahead;
     int reaches = 0;
     if (affordable && h <= fmin(s->h_most, stop - s->t)) {
         reaches = lag_radau_reaches(s, h, stiffness->v);
@@ -218,23 +224,29 @@ static int is_limited(lag_stiffness *stiffness, lag_stepper *s)
     return ++stiffness->signs >= SIGNS;
 }
 
+/* True if it is time to ask without signs: not where steps grow, as behind a start, or become short, as in front of a corner. */
+static int is_due(const lag_stiffness *stiffness, const lag_stepper *s)
+{
+    const double last = s->t - s->t_before;
+    const double mean = (s->t - stiffness->t) / (double)(s->counts.steps - stiffness->before.steps);
+    return s->counts.steps >= stiffness->question && s->h <= STEADY * last && mean <= STEADY * last;
+}
+
 /* After a step of the explicit method. */
 static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
-    if (!is_limited(stiffness, s) && s->counts.steps < stiffness->question) {
+    const int limited = is_limited(stiffness, s);
+    if (!limited && !is_due(stiffness, s)) {
         return s->method;
     }
     const double since = stiffness->t;
     const double before = stiffness->spent;
     count_explicit(stiffness, s);
-    if (stiffness->signs == 0 && before == 0.0) { /* the first steps, which grow, tell no progress */
-        ask_later(stiffness, s, 0.0);
-        return s->method;
-    }
-    stiffness->progress = (s->t - since) / (stiffness->spent - before);
+    const double mean = (s->t - since) / (stiffness->spent - before);
+    stiffness->progress = limited ? mean : fmax(mean, (s->t - s->t_before) / LAG_DOP853_STAGES);
     stiffness->signs = 0;
     settle_visit(stiffness);
-    const int changes = is_worth_it(stiffness, s, stop);
+    const int changes = is_worth_it(stiffness, s, stop, limited ? PARTS : PARTS_WITHOUT_SIGNS);
     stiffness->wait = changes ? EVERY : 0;
     mark(stiffness, s);
     return changes ? &lag_radau : s->method;
