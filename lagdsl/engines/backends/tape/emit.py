@@ -27,7 +27,7 @@ from lagdsl.foundation.record import record
 from lagdsl.language.flat.events import INITIAL
 
 _DIRECTIONS: Final = mask_of(DIRECTION_OF.values())
-VERSION: Final = 13
+VERSION: Final = 14
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = (
@@ -87,7 +87,7 @@ class Tapes:
         program = self._program
         found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS[:2]]
         written = motion_jacobian(program) if PARTS[2] in parts else None
-        nodes = nodes_of(program.graph)
+        nodes = nodes_of(program.graph, program.layout)
         if self._common is None:
             self._common = one_state(program, nodes), _tables(program)
         state, tables = self._common

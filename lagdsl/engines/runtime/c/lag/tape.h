@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 13u
+#define LAG_TAPE_VERSION 14u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {

@@ -12,6 +12,9 @@
  *     TWO_PRODUCTS count (place signs a b c d)...     a*b + c*d, with signs 1 a*b - c*d
  *     THREE_PRODUCTS count (place signs a b c d e f)...    a*b + c*d + e*f, with signs 1 - e*f, with 2 - c*d, with 3 both
  *
+ *     STRIDED_... count place signs (place stride)...    one of these (signs: of sums only), time after time: the value goes to the next place, an
+ *                                                     operand is its stride further. No operand stands where a value goes
+ *
  * Every value is rounded as that of separate operations, from left to right. Few operations that do much make few jumps from one
  * to the next, which processors foresee.
  */
@@ -62,7 +65,16 @@
     X(AND, lag_and)                 \
     X(OR, lag_or)
 
+/* Name, number of operands. */
+#define LAG_TAPE_STRIDED(X) \
+    X(TWO_PRODUCTS, 4)      \
+    X(THREE_PRODUCTS, 6)    \
+    X(SQRT, 1)              \
+    X(MULTIPLY, 2)          \
+    X(DIVIDE, 2)
+
 #define LAG_TAPE_NAME(name, function) LAG_TAPE_##name,
+#define LAG_TAPE_STRIDED_NAME(name, operands) LAG_TAPE_STRIDED_##name,
 
 enum {
     LAG_TAPE_END,
@@ -79,6 +91,7 @@ enum {
     LAG_TAPE_BINARY(LAG_TAPE_NAME)
     LAG_TAPE_BINARY_CHOICES(LAG_TAPE_NAME)
     LAG_TAPE_SELECT,
+    LAG_TAPE_STRIDED(LAG_TAPE_STRIDED_NAME)
     LAG_TAPE_OPERATIONS
 };
 
@@ -96,6 +109,9 @@ typedef struct lag_tape_code {
 
 /* The array of a group; the time is an array, too. */
 const double *lag_tape_argument(const lag_arguments *at, uint32_t group);
+
+/* Runs the instruction over strides at `word`; returns the word behind it. */
+const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row);
 
 /* Runs instructions over `row`. */
 void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results);

@@ -169,6 +169,29 @@ INLINED void run(const lag_tape_code *code, const lag_arguments *at, block_memor
         LAG_TAPE_BINARY(OF_TWO)
         LAG_TAPE_BINARY_CHOICES(OF_TWO_BLOCKS)
         OPERATION(SELECT, 4, r(0) = CHOSEN(r(1) != none, r(2), r(3)))
+#define s(k) row[first[2 * (k)] + i * first[2 * (k) + 1]]
+#define OVER_STRIDES(name, before, operands, expression)        \
+        case LAG_TAPE_STRIDED_##name: {                         \
+            const uint32_t *first = word + (before);            \
+            for (size_t i = 0; i < word[1]; ++i) {              \
+                row[word[2] + i] = expression;                  \
+            }                                                   \
+            word = first + 2 * (operands);                      \
+            break;                                              \
+        }
+        OVER_STRIDES(TWO_PRODUCTS, 4, 4, s(0) * s(1) + signs[word[3]][1] * (s(2) * s(3)))
+        OVER_STRIDES(THREE_PRODUCTS, 4, 6,
+            s(0) * s(1) + signs[word[3]][0] * (s(2) * s(3)) + signs[word[3]][1] * (s(4) * s(5)))
+        OVER_STRIDES(MULTIPLY, 3, 2, s(0) * s(1))
+        OVER_STRIDES(DIVIDE, 3, 2, s(0) / s(1))
+        case LAG_TAPE_STRIDED_SQRT:
+            for (size_t i = 0; i < word[1]; ++i) {
+                for (size_t lane = 0; lane < LAG_TAPE_LANES; ++lane) {
+                    row[word[2] + i][lane] = sqrt(row[word[3] + i * word[4]][lane]);
+                }
+            }
+            word += 5;
+            break;
         default:
             return; /* checked tapes have no others */
         }
