@@ -9,7 +9,7 @@ how many parts they are away; the roles of arguments are their names without a n
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain
+from itertools import chain, pairwise
 from typing import Final
 
 import numpy as np
@@ -34,12 +34,21 @@ class Stretch:
 
 
 class Arrangement:
-    """Of the groups of a `selection`. `known` are the places that are settled, -1 for others, those of one and minus one
-    at the end; the values `loaded` stand from `first` on, a negative one is no value; `roles` are those of arguments."""
+    """The `stretches` of the groups of a `selection`, and the `place` of every value.
+
+    `known` are the places that are settled, -1 for others, those of one and minus one at the end. The values `loaded`
+    stand from `first` on, a negative one is no value. `roles` are those of arguments.
+    """
 
     def __init__(
-        self, selection: Selection, grouped: Sequence[Sequence[int]], known: Ints, loaded: Ints, results: Ints,
-        roles: Roles, first: int,
+        self,
+        selection: Selection,
+        grouped: Sequence[Sequence[int]],
+        known: Ints,
+        loaded: Ints,
+        results: Ints,
+        roles: Roles,
+        first: int,
     ) -> None:
         self._selection, self._first = selection, first
         self.place = known.copy()
@@ -129,7 +138,7 @@ class Arrangement:
         order = np.lexsort((parts, keys))
         bounds = [0, *(np.flatnonzero(np.diff(keys[order])) + 1).tolist(), len(order)]
         others, found = [], list[Stretch]()
-        for start, end in zip(bounds, bounds[1:], strict=False):
+        for start, end in pairwise(bounds):
             own = order[start:end]
             if end - start < LEAST:
                 others.append(own)
@@ -180,11 +189,10 @@ class Arrangement:
         return [*found, *(Stretch(each, strided=False) for each in rest if len(each))]
 
     def _strided(self, places: Ints) -> bool:
-        """True if nothing reads what the same instruction writes, and only places of the function itself vary: the others
-        may be moved one by one."""
+        """True if nothing reads what the same instruction writes, and only places of the function itself vary: each of
+        the others may be moved by itself."""
         first, second, last = places[0], places[1], places[-1]
         stride = second - first
         fixed = (stride == 0) | ((stride > 0) & (first >= self._first))
         apart = (last[1:] < first[0]) | (first[1:] > last[0])
         return bool(stride[0] == 1 and fixed.all() and apart.all())
-

@@ -160,8 +160,9 @@ def _computed(
         place = known.copy()
         place[loaded[loaded >= 0]] = first + np.flatnonzero(loaded >= 0)
         return _NOTHING, place, first + len(loaded)
-    count = len(nodes.op)  # those of one and minus one are further ones
-    roles = Roles(np.append(nodes.roles.role[live], [-1 - count, -2 - count]), np.append(nodes.roles.part[live], [0, 0]))
+    count = len(nodes.op)  # one and minus one are two more
+    role = np.append(nodes.roles.role[live], [-1 - count, -2 - count])
+    roles = Roles(role, np.append(nodes.roles.part[live], [0, 0]))
     return _body(select(nodes, live, at_hand, results), known, loaded, results, roles, first)
 
 
@@ -195,7 +196,8 @@ def _over_strides(selection: Selection, steps: Ints, place: Ints) -> Piece:
     summing = code in (TWO_PRODUCTS, THREE_PRODUCTS)
     own = place[operands[:, operands[0] >= 0]]
     head = [STRIDED[code], len(steps), int(place[selection.made[steps[0]]])]
-    words = np.concatenate([head, selection.signs[steps[:1]] if summing else _NONE, np.ravel([own[0], own[1] - own[0]], "F")])
+    signs = selection.signs[steps[:1]] if summing else _NONE
+    words = np.concatenate([head, signs, np.ravel([own[0], own[1] - own[0]], "F")])
     moves = np.zeros(len(words), dtype=np.bool_)
     moves[2] = True
     moves[3 + summing :: 2] = True

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import re
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -37,8 +36,8 @@ class Nodes:
 
 @record()
 class Roles:
-    """The `role` (values) that a value plays in each of parts alike, and the number of its `part`; negative: it is alone
-    in its role."""
+    """The `role` (values) that a value plays in each of parts alike, and the number of its `part`; alone in its role,
+    which is negative, where there are none."""
 
     role: Ints
     part: Ints
@@ -93,7 +92,12 @@ def nodes_of(graph: Graph, layout: Layout) -> Nodes:
 
 def _roles(op: Ints, operands: Ints, layout: Layout) -> Roles:
     """Arguments whose names differ in the first number play one role; parameters and all other nodes are alone."""
-    slots = {Group.LAMBDA: layout.constraints, Group.Z: layout.states, Group.U: layout.inputs, Group.W: layout.discretes}
+    slots = {
+        Group.LAMBDA: layout.constraints,
+        Group.Z: layout.states,
+        Group.U: layout.inputs,
+        Group.W: layout.discretes,
+    }
     slots |= dict.fromkeys((Group.Q, Group.QD, Group.QDD), layout.coordinates)
     slots |= {of: slots[group] for group, of in DIRECTION_OF.items() if group in slots}
     role, part = -1 - np.arange(len(op)), np.zeros(len(op), dtype=np.int64)

@@ -11,7 +11,8 @@ from lagdsl.engines.backends.tape.nodes import Ints
 
 
 class Registers:
-    """Places from `top` on. Blocks are taken whole and given back whole; what is left of a larger one serves as well."""
+    """Places, of which those from `top` on were never used. Blocks are taken and given back whole; what is left of a
+    larger one serves as well."""
 
     def __init__(self, top: int) -> None:
         self.top = top

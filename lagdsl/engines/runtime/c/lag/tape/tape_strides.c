@@ -22,47 +22,80 @@ static double at(const double *row, const uint32_t *operand, size_t i)
 #pragma GCC diagnostic ignored "-Wpsabi" /* everything that takes or gives vectors is inlined */
 
 #define INLINED static inline __attribute__((always_inline))
-enum { AT_ONCE = 8 };
+enum { AT_ONCE = 8, MOST_OPERANDS = 6 };
 typedef double block __attribute__((vector_size(8 * AT_ONCE)));
 typedef double block_memory __attribute__((vector_size(8 * AT_ONCE), aligned(8), may_alias));
 
-INLINED block blocks_at(const double *row, const uint32_t *operand, size_t i)
+/* Values of an operand: those that follow on each other at `from`, or one value, as often as a block holds it. */
+typedef struct stream {
+    const double *from;
+    size_t mask; /* of how far a block is */
+    double value[AT_ONCE];
+} stream;
+
+/* True if the operands are streams: no stride is longer than 1. */
+INLINED int find_streams(const double *row, const uint32_t *operand, size_t count, stream *found)
+{
+    int all = 1;
+    for (size_t k = 0; k < count; ++k, operand += 2) {
+        found[k].from = row + operand[0];
+        found[k].mask = (size_t)-1;
+        all = all && operand[1] <= 1;
+        if (operand[1] == 0) {
+            for (size_t lane = 0; lane < AT_ONCE; ++lane) {
+                found[k].value[lane] = row[operand[0]];
+            }
+            found[k].from = found[k].value;
+            found[k].mask = 0;
+        }
+    }
+    return all;
+}
+
+INLINED block block_of(const stream *operand, size_t i)
+{
+    return *(const block_memory *)(operand->from + (i & operand->mask));
+}
+
+INLINED block strided_block(const double *row, const uint32_t *operand, size_t i)
 {
     const size_t stride = operand[1];
     const double *x = row + operand[0] + i * stride;
-    if (stride == 1) {
-        return *(const block_memory *)x;
-    }
     return (block){x[0], x[stride], x[2 * stride], x[3 * stride], x[4 * stride], x[5 * stride], x[6 * stride], x[7 * stride]};
 }
 
-INLINED block root_of(block x)
-{
-    block root = x;
-    for (size_t lane = 0; lane < AT_ONCE; ++lane) {
-        root[lane] = sqrt(x[lane]);
-    }
-    return root;
-}
-
 /* The last block may hold values of the one before it again: operands stand where no value goes. */
-#define EACH(expression_of_blocks, expression)                                            \
-    for (size_t i = 0; i < count && count >= AT_ONCE; i += AT_ONCE) {                     \
-        i = i + AT_ONCE > count ? count - AT_ONCE : i;                                    \
-        *(block_memory *)(to + i) = expression_of_blocks;                                 \
-    }                                                                                     \
-    for (size_t i = 0; i < count && count < AT_ONCE; ++i) {                               \
-        to[i] = expression;                                                               \
+#define BLOCKS(operands)                                              \
+    for (size_t i = 0; i < count; i += AT_ONCE) {                     \
+        i = i + AT_ONCE > count ? count - AT_ONCE : i;                \
+        *(block_memory *)(to + i) = operands;                         \
     }
-#define B(k) blocks_at(row, first + 2 * (k), i)
+#define S(k) block_of(streams + (k), i)
+#define B(k) strided_block(row, first + 2 * (k), i)
+#define EACH(number, formula)                                         \
+    if (count < AT_ONCE) {                                            \
+        ONE_BY_ONE(formula)                                           \
+    } else if (find_streams(row, first, number, streams)) {           \
+        BLOCKS(formula(S))                                   \
+    } else {                                                          \
+        BLOCKS(formula(B))                                   \
+    }
 #else
 #define INLINED static
-#define EACH(expression_of_blocks, expression)                                            \
-    for (size_t i = 0; i < count; ++i) {                                                  \
-        to[i] = expression;                                                               \
-    }
+#define EACH(number, formula) ONE_BY_ONE(formula)
 #endif
+
 #define A(k) at(row, first + 2 * (k), i)
+#define ONE_BY_ONE(formula)                                           \
+    for (size_t i = 0; i < count; ++i) {                              \
+        to[i] = formula(A);                                     \
+    }
+
+#define SUM_OF_TWO(x) x(0) * x(1) + sign[1] * (x(2) * x(3))
+#define SUM_OF_THREE(x) x(0) * x(1) + sign[0] * (x(2) * x(3)) + sign[1] * (x(4) * x(5))
+#define ROOT(x) sqrt(x(0))
+#define PRODUCT(x) x(0) * x(1)
+#define QUOTIENT(x) x(0) / x(1)
 
 INLINED const uint32_t *run(const uint32_t *word, double *row)
 {
@@ -70,26 +103,28 @@ INLINED const uint32_t *run(const uint32_t *word, double *row)
     double *to = row + word[2];
     const uint32_t *first = word + FIRST;
     const double *sign;
+#if defined(__GNUC__)
+    stream streams[MOST_OPERANDS];
+#endif
     switch (*word) {
     case LAG_TAPE_STRIDED_TWO_PRODUCTS:
         first = word + FIRST_OF_SUM;
         sign = signs[word[FIRST]];
-        EACH(B(0) * B(1) + sign[1] * (B(2) * B(3)), A(0) * A(1) + sign[1] * (A(2) * A(3)))
+        EACH(4, SUM_OF_TWO)
         return first + 2 * 4;
     case LAG_TAPE_STRIDED_THREE_PRODUCTS:
         first = word + FIRST_OF_SUM;
         sign = signs[word[FIRST]];
-        EACH(B(0) * B(1) + sign[0] * (B(2) * B(3)) + sign[1] * (B(4) * B(5)),
-            A(0) * A(1) + sign[0] * (A(2) * A(3)) + sign[1] * (A(4) * A(5)))
+        EACH(6, SUM_OF_THREE)
         return first + 2 * 6;
     case LAG_TAPE_STRIDED_SQRT:
-        EACH(root_of(B(0)), sqrt(A(0)))
-        return first + 2;
+        ONE_BY_ONE(ROOT)
+        return first + 2 * 1;
     case LAG_TAPE_STRIDED_MULTIPLY:
-        EACH(B(0) * B(1), A(0) * A(1))
+        EACH(2, PRODUCT)
         return first + 2 * 2;
     default:
-        EACH(B(0) / B(1), A(0) / A(1))
+        EACH(2, QUOTIENT)
         return first + 2 * 2;
     }
 }
