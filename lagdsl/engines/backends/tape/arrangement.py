@@ -10,18 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain, pairwise
-from typing import Final
 
 import numpy as np
 
 from lagdsl.engines.backends.tape.instructions import STRIDED
-from lagdsl.engines.backends.tape.nodes import Ints, Roles, sorted_by
-from lagdsl.engines.backends.tape.registers import Blocks, Registers
+from lagdsl.engines.backends.tape.nodes import LEAST, Ints, Roles, sorted_by
+from lagdsl.engines.backends.tape.registers import Registers
 from lagdsl.engines.backends.tape.selection import Selection
 from lagdsl.foundation.record import record
 
-# Two vectors of 512 bits; of fewer parts the head of an instruction over strides takes longer than their words.
-LEAST: Final = 16
 _FACTORS = np.random.default_rng(13).integers(1, 1 << 62, size=16) * 2 + 1
 
 
@@ -29,7 +26,7 @@ _FACTORS = np.random.default_rng(13).integers(1, 1 << 62, size=16) * 2 + 1
 class Stretch:
     """`steps` that follow on each other: those of one group, or of one instruction over strides."""
 
-    steps: Ints
+    steps: Ints | Sequence[int]
     strided: bool
 
 
@@ -52,30 +49,32 @@ class Arrangement:
     ) -> None:
         self._selection, self._first = selection, first
         self.place = known.copy()
-        values = np.flatnonzero(loaded >= 0)
-        self.place[loaded[values]] = first + values
-        self._registers = Registers(first + len(loaded))
-        self._registers.give((first + np.flatnonzero(loaded < 0)).tolist())
-        self._blocks = Blocks(len(known), self._registers)
+        there = loaded >= 0
+        self.place[loaded[there]] = first + np.flatnonzero(there)
+        self._registers = Registers(self.place, first + len(loaded), (first + np.flatnonzero(~there)).tolist())
         self._role, self._part = roles.role.copy(), roles.part.copy()
-        self._next = int(self._role.max(initial=0)) + 1
+        self._next = int(self._role.max(initial=-1)) + 1
         self._turns: dict[tuple[int, int], int] = {}
         self.stretches: list[Stretch] = []
-        dying = self._dying(grouped, known, results)
-        for group, values in zip(grouped, dying, strict=True):
-            if group[0] >= len(selection.made):
+        dying, bounds = self._dying(grouped, known, results)
+        count, made = len(selection.made), selection.made.tolist()
+        for group, (start, end) in zip(grouped, pairwise(bounds), strict=True):
+            if group[0] >= count:
                 self._turn(group[0])
-            else:
+            elif self._next and len(group) >= LEAST and int(selection.code[group[0]]) in STRIDED:
                 self._group(np.array(group, dtype=np.int64))
-            self._blocks.leave(values, self.place[values])
+            else:
+                self._registers.take([made[step] for step in group])
+                self.stretches.append(Stretch(group, strided=False))
+            self._registers.give(dying[start:end])
 
     @property
     def top(self) -> int:
         """The first place beyond all."""
         return self._registers.top
 
-    def _dying(self, grouped: Sequence[Sequence[int]], known: Ints, results: Ints) -> list[Ints]:
-        """By group the values that none reads behind it."""
+    def _dying(self, grouped: Sequence[Sequence[int]], known: Ints, results: Ints) -> tuple[list[int], list[int]]:
+        """The values that no group behind one reads, group by group, and where those of each begin."""
         selection = self._selection
         count = len(selection.made)
         order = np.fromiter(chain.from_iterable(grouped), dtype=np.int64)
@@ -94,7 +93,7 @@ class Arrangement:
         last[results] = -1
         values = np.flatnonzero((known < 0) & (last >= 0))
         ordered, bounds = sorted_by(last[values], len(grouped))
-        return np.split(values[ordered], bounds[1:-1])
+        return values[ordered].tolist(), bounds.tolist()
 
     def _turn(self, step: int) -> None:
         turn = self._selection.turns[step - len(self._selection.made)]
@@ -103,10 +102,10 @@ class Arrangement:
             own, angles = values[there], turn.angles[there]
             alike = self._role[angles] >= 0
             if np.count_nonzero(alike) >= LEAST:
-                self._place_block(own[alike])
+                self._registers.take_block(own[alike])
                 self._part[own[alike]] = self._part[angles[alike]]
                 self._role[own[alike]] = [self._turned(kind, role) for role in self._role[angles[alike]].tolist()]
-            self._place_singly(own)
+            self._registers.take(own.tolist())
         self.stretches.append(Stretch(np.array([step], dtype=np.int64), strided=False))
 
     def _turned(self, kind: int, role: int) -> int:
@@ -116,24 +115,8 @@ class Arrangement:
             self._next += 1
         return self._turns[kind, role]
 
-    def _place_singly(self, values: Ints) -> None:
-        for value in values.tolist():
-            if self.place[value] < 0:
-                self.place[value] = self._registers.take()
-
-    def _place_block(self, values: Ints) -> None:
-        """In a row, where none of them is settled."""
-        if (self.place[values] < 0).all():
-            self.place[values] = self._blocks.place(values)
-        else:
-            self._place_singly(values)
-
     def _group(self, steps: Ints) -> None:
         made = self._selection.made
-        if len(steps) < LEAST or int(self._selection.code[steps[0]]) not in STRIDED:
-            self._place_singly(made[steps])
-            self.stretches.append(Stretch(steps, strided=False))
-            return
         keys, parts = self._keys(steps)
         order = np.lexsort((parts, keys))
         bounds = [0, *(np.flatnonzero(np.diff(keys[order])) + 1).tolist(), len(order)]
@@ -144,13 +127,13 @@ class Arrangement:
                 others.append(own)
                 continue
             values = made[steps[own]]
-            self._place_block(values)
+            self._registers.take_block(values)
             self._role[values], self._part[values] = self._next, parts[own]
             self._next += 1
             found += self._runs(steps[own])
         rest = np.concatenate([each.steps for each in found if not each.strided] or [steps[:0]])
         singles = np.sort(np.concatenate([np.zeros(0, dtype=np.int64), *others]))
-        self._place_singly(made[steps[singles]])
+        self._registers.take(made[steps[singles]].tolist())
         rest = np.concatenate([steps[singles], rest])
         if len(rest):
             self.stretches.append(Stretch(rest, strided=False))

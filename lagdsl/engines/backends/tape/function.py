@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import Final, TypeAlias
 
 import numpy as np
@@ -175,17 +176,18 @@ def _body(
     spare = int(any((values < 0).any() for turn in selection.turns for values in (turn.sines, turn.cosines)))
     padded = np.append(arranged.place, arranged.top)  # what nothing reads goes behind all others
     pieces: list[Piece] = []
-    plain: list[Ints] = []
+    plain: list[Sequence[int] | Ints] = []
     for stretch in [*arranged.stretches, None]:
         if stretch is not None and not stretch.strided:
             plain.append(stretch.steps)
             continue
         if plain:
             lengths = np.fromiter(map(len, plain), dtype=np.int64)
-            pieces.append(_assembled(selection, np.concatenate(plain), lengths, padded))
+            order = np.fromiter(chain.from_iterable(plain), dtype=np.int64, count=int(lengths.sum()))
+            pieces.append(_assembled(selection, order, lengths, padded))
             plain = []
         if stretch is not None:
-            pieces.append(_over_strides(selection, stretch.steps, padded))
+            pieces.append(_over_strides(selection, np.asarray(stretch.steps), padded))
     words, moves = zip(*pieces, strict=True)
     return (np.concatenate(words), np.concatenate(moves)), arranged.place, arranged.top + spare
 

@@ -18,6 +18,8 @@ Ints = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 _NUMBER: Final = re.compile(r"\d+")
+# Parts alike that are worth an instruction over strides: two vectors of 512 bits.
+LEAST: Final = 16
 _BITS = 62
 _ALL = (1 << _BITS) - 1
 
@@ -110,6 +112,10 @@ def _roles(op: Ints, operands: Ints, layout: Layout) -> Roles:
             name = number.string[: number.start()] + number.string[number.end() :]
             role[node] = known.setdefault((group, name), len(known))
             part[node] = int(number.group())
+    members = np.bincount(role[role >= 0], minlength=len(known))
+    there = np.flatnonzero(role >= 0)
+    few = there[members[role[there]] < LEAST]
+    role[few] = -1 - few
     return Roles(role, part)
 
 
