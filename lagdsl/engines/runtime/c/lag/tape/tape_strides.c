@@ -17,7 +17,9 @@ static double at(const double *row, const uint32_t *operand, size_t i)
     return row[operand[0] + i * operand[1]];
 }
 
-#if defined(__GNUC__)
+/* WebAssembly without vectors takes what is small. */
+#if defined(__GNUC__) && !defined(__wasm__)
+#define BLOCKWISE
 
 #pragma GCC diagnostic ignored "-Wpsabi" /* everything that takes or gives vectors is inlined */
 
@@ -76,9 +78,9 @@ INLINED block strided_block(const double *row, const uint32_t *operand, size_t i
     if (count < AT_ONCE) {                                            \
         ONE_BY_ONE(formula)                                           \
     } else if (find_streams(row, first, number, streams)) {           \
-        BLOCKS(formula(S))                                   \
+        BLOCKS(formula(S))                                            \
     } else {                                                          \
-        BLOCKS(formula(B))                                   \
+        BLOCKS(formula(B))                                            \
     }
 #else
 #define INLINED static
@@ -88,7 +90,7 @@ INLINED block strided_block(const double *row, const uint32_t *operand, size_t i
 #define A(k) at(row, first + 2 * (k), i)
 #define ONE_BY_ONE(formula)                                           \
     for (size_t i = 0; i < count; ++i) {                              \
-        to[i] = formula(A);                                     \
+        to[i] = formula(A);                                           \
     }
 
 #define SUM_OF_TWO(x) x(0) * x(1) + sign[1] * (x(2) * x(3))
@@ -103,7 +105,7 @@ INLINED const uint32_t *run(const uint32_t *word, double *row)
     double *to = row + word[2];
     const uint32_t *first = word + FIRST;
     const double *sign;
-#if defined(__GNUC__)
+#if defined(BLOCKWISE)
     stream streams[MOST_OPERANDS];
 #endif
     switch (*word) {
