@@ -90,7 +90,7 @@ static inline void put_place(random_tape *tape, row_of row)
 /* Operands over strides stand before the place of the first value, or behind that of the last one. */
 static inline void put_strided(random_tape *tape, row_of row, uint32_t operation)
 {
-    static const uint32_t operands[] = {4, 6, 1, 2, 2};
+    static const uint32_t operands[] = {4, 6, 2, 2};
     const uint32_t least = row.first > 0 ? row.first : 1;
     const uint32_t count = 1 + any(&tape->seed, row.row - least - 1);
     const uint32_t place = least + any(&tape->seed, row.row - least - count);

@@ -61,7 +61,7 @@ class Arrangement:
         for group, (start, end) in zip(grouped, pairwise(bounds), strict=True):
             if group[0] >= count:
                 self._turn(group[0])
-            elif self._next and len(group) >= LEAST and int(selection.code[group[0]]) in STRIDED:
+            elif self._next and len(group) >= LEAST:
                 self._group(np.array(group, dtype=np.int64))
             else:
                 self._registers.take([made[step] for step in group])
@@ -156,6 +156,8 @@ class Arrangement:
     def _runs(self, steps: Ints) -> list[Stretch]:
         """Steps whose places are those of strides, and the others."""
         selection = self._selection
+        if int(selection.code[steps[0]]) not in STRIDED:
+            return [Stretch(steps, strided=False)]
         operands = selection.operands[steps]
         places = np.concatenate([self.place[selection.made[steps]][:, None], self.place[operands]], axis=1)
         places[:, 1:][operands < 0] = 0

@@ -23,7 +23,7 @@ _BINARY = (
     *(Op.LESS, Op.LESS_EQUAL, Op.EQUAL, Op.AND, Op.OR),
 )
 
-_STRIDED = ("TWO_PRODUCTS", "THREE_PRODUCTS", "SQRT", "MULTIPLY", "DIVIDE")
+_STRIDED = ("TWO_PRODUCTS", "THREE_PRODUCTS", "MULTIPLY", "DIVIDE")
 
 _number = count()
 CODE: Final[dict[str, int]] = {

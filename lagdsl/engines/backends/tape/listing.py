@@ -10,9 +10,7 @@ _HEAD = 24
 _NAMES = {number: name for name, number in CODE.items()}
 _FIRST_BINARY = CODE["MULTIPLY"]
 # A place, signs, and place and stride of every operand, behind operation and number.
-_STRIDED_WIDTH = {
-    code: 3 + {TWO_PRODUCTS: 9, THREE_PRODUCTS: 13, CODE["SQRT"]: 2}.get(plain, 4) for plain, code in STRIDED.items()
-}
+_STRIDED_WIDTH = {code: 3 + {TWO_PRODUCTS: 9, THREE_PRODUCTS: 13}.get(plain, 4) for plain, code in STRIDED.items()}
 
 
 @record()

@@ -69,7 +69,6 @@
 #define LAG_TAPE_STRIDED(X) \
     X(TWO_PRODUCTS, 4)      \
     X(THREE_PRODUCTS, 6)    \
-    X(SQRT, 1)              \
     X(MULTIPLY, 2)          \
     X(DIVIDE, 2)
 
@@ -109,6 +108,29 @@ typedef struct lag_tape_code {
 
 /* The array of a group; the time is an array, too. */
 const double *lag_tape_argument(const lag_arguments *at, uint32_t group);
+
+/* Words of an instruction that is done once, and END. */
+enum { LAG_TAPE_ONCE = 11 };
+
+/* The instruction over strides at `word` as it is done at time i, into `once`; returns the word behind it. */
+static inline const uint32_t *lag_tape_once(const uint32_t *word, uint32_t i, uint32_t once[LAG_TAPE_ONCE])
+{
+    static const unsigned char plain[] = {LAG_TAPE_TWO_PRODUCTS, LAG_TAPE_THREE_PRODUCTS, LAG_TAPE_MULTIPLY, LAG_TAPE_DIVIDE};
+    static const unsigned char operands[] = {4, 6, 2, 2};
+    const uint32_t which = *word - LAG_TAPE_STRIDED_TWO_PRODUCTS;
+    *once++ = plain[which];
+    *once++ = 1;
+    *once++ = word[2] + i;
+    word += 3;
+    if (which < 2) {
+        *once++ = *word++;
+    }
+    for (unsigned k = 0; k < operands[which]; ++k, word += 2) {
+        *once++ = word[0] + i * word[1];
+    }
+    *once = LAG_TAPE_END;
+    return word;
+}
 
 /* Runs the instruction over strides at `word`; returns the word behind it. */
 const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row);

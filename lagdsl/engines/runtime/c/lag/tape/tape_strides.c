@@ -3,9 +3,9 @@
 #define LAG_ALIKE /* a tape gives the same bits on every processor, whether it has fused sums or not */
 #endif
 
-#include <math.h>
-
 #include "lag/tape/tape_code.h"
+
+#if defined(__GNUC__) && !defined(__wasm__)
 
 static const double signs[4][2] = {{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}};
 
@@ -16,10 +16,6 @@ static double at(const double *row, const uint32_t *operand, size_t i)
 {
     return row[operand[0] + i * operand[1]];
 }
-
-/* WebAssembly without vectors takes what is small. */
-#if defined(__GNUC__) && !defined(__wasm__)
-#define BLOCKWISE
 
 #pragma GCC diagnostic ignored "-Wpsabi" /* everything that takes or gives vectors is inlined */
 
@@ -82,11 +78,6 @@ INLINED block strided_block(const double *row, const uint32_t *operand, size_t i
     } else {                                                          \
         BLOCKS(formula(B))                                            \
     }
-#else
-#define INLINED static
-#define EACH(number, formula) ONE_BY_ONE(formula)
-#endif
-
 #define A(k) at(row, first + 2 * (k), i)
 #define ONE_BY_ONE(formula)                                           \
     for (size_t i = 0; i < count; ++i) {                              \
@@ -95,7 +86,6 @@ INLINED block strided_block(const double *row, const uint32_t *operand, size_t i
 
 #define SUM_OF_TWO(x) x(0) * x(1) + sign[1] * (x(2) * x(3))
 #define SUM_OF_THREE(x) x(0) * x(1) + sign[0] * (x(2) * x(3)) + sign[1] * (x(4) * x(5))
-#define ROOT(x) sqrt(x(0))
 #define PRODUCT(x) x(0) * x(1)
 #define QUOTIENT(x) x(0) / x(1)
 
@@ -105,9 +95,7 @@ INLINED const uint32_t *run(const uint32_t *word, double *row)
     double *to = row + word[2];
     const uint32_t *first = word + FIRST;
     const double *sign;
-#if defined(BLOCKWISE)
     stream streams[MOST_OPERANDS];
-#endif
     switch (*word) {
     case LAG_TAPE_STRIDED_TWO_PRODUCTS:
         first = word + FIRST_OF_SUM;
@@ -119,9 +107,6 @@ INLINED const uint32_t *run(const uint32_t *word, double *row)
         sign = signs[word[FIRST]];
         EACH(6, SUM_OF_THREE)
         return first + 2 * 6;
-    case LAG_TAPE_STRIDED_SQRT:
-        ONE_BY_ONE(ROOT)
-        return first + 2 * 1;
     case LAG_TAPE_STRIDED_MULTIPLY:
         EACH(2, PRODUCT)
         return first + 2 * 2;
@@ -152,4 +137,19 @@ const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row)
 {
     return run(word, row);
 }
+#endif
+
+#else
+
+const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row)
+{
+    const uint32_t *behind = word;
+    uint32_t once[LAG_TAPE_ONCE];
+    for (uint32_t i = 0; i < word[1]; ++i) {
+        behind = lag_tape_once(word, i, once);
+        lag_tape_run(&(lag_tape_code){.words = once}, NULL, row, NULL);
+    }
+    return behind;
+}
+
 #endif
