@@ -141,15 +141,27 @@ const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row)
 
 #else
 
+/* One loop for all: the smallest code that stays fast. */
 const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row)
 {
-    const uint32_t *behind = word;
-    uint32_t once[LAG_TAPE_ONCE];
+    const int sums = *word <= LAG_TAPE_STRIDED_THREE_PRODUCTS;
+    const int three = *word == LAG_TAPE_STRIDED_THREE_PRODUCTS;
+    const double second = sums && word[3] & (three ? 2u : 1u) ? -1.0 : 1.0;
+    const double third = sums && word[3] & 1u ? -1.0 : 1.0;
+    const uint32_t *x = word + (sums ? 4 : 3);
     for (uint32_t i = 0; i < word[1]; ++i) {
-        behind = lag_tape_once(word, i, once);
-        lag_tape_run(&(lag_tape_code){.words = once}, NULL, row, NULL);
+        const double a = row[x[0] + i * x[1]];
+        const double b = row[x[2] + i * x[3]];
+        double value = *word == LAG_TAPE_STRIDED_DIVIDE ? a / b : a * b;
+        if (sums) {
+            value += second * (row[x[4] + i * x[5]] * row[x[6] + i * x[7]]);
+        }
+        if (three) {
+            value += third * (row[x[8] + i * x[9]] * row[x[10] + i * x[11]]);
+        }
+        row[word[2] + i] = value;
     }
-    return behind;
+    return x + (three ? 12 : sums ? 8 : 4);
 }
 
 #endif
