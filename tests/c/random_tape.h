@@ -87,11 +87,42 @@ static inline void put_place(random_tape *tape, row_of row)
     put_word(tape, row.first + any(&tape->seed, row.row - row.first - 1));
 }
 
+/* Operands over strides stand before the place of the first value, or behind that of the last one. */
+static inline void put_strided(random_tape *tape, row_of row, uint32_t operation)
+{
+    static const uint32_t operands[] = {4, 6, 2, 2};
+    const uint32_t least = row.first > 0 ? row.first : 1;
+    const uint32_t count = 1 + any(&tape->seed, row.row - least - 1);
+    const uint32_t place = least + any(&tape->seed, row.row - least - count);
+    put_word(tape, operation);
+    put_word(tape, count);
+    put_word(tape, place);
+    if (operation <= LAG_TAPE_STRIDED_THREE_PRODUCTS) {
+        put_word(tape, any(&tape->seed, operation == LAG_TAPE_STRIDED_TWO_PRODUCTS ? 1 : 3));
+    }
+    for (uint32_t i = 0; i < operands[operation - LAG_TAPE_STRIDED_TWO_PRODUCTS]; ++i) {
+        const uint32_t behind = row.row - place - count;
+        const uint32_t stride = any(&tape->seed, 3);
+        const uint32_t span = stride * (count - 1);
+        if (span < behind) {
+            put_word(tape, place + count + any(&tape->seed, behind - span - 1));
+            put_word(tape, stride);
+        } else {
+            put_word(tape, any(&tape->seed, place - 1 - (span < place ? span : 0)));
+            put_word(tape, span < place ? stride : 0);
+        }
+    }
+}
+
 static inline void put_operation(random_tape *tape, row_of row)
 {
     const uint32_t operation = LAG_TAPE_SINCOS + any(&tape->seed, LAG_TAPE_OPERATIONS - 1 - LAG_TAPE_SINCOS);
     const uint32_t times = 1 + any(&tape->seed, 3);
-    put_word(tape, operation);
+    if (operation >= LAG_TAPE_STRIDED_TWO_PRODUCTS && row.row - row.first > 2) {
+        put_strided(tape, row, operation);
+        return;
+    }
+    put_word(tape, operation < LAG_TAPE_STRIDED_TWO_PRODUCTS ? operation : LAG_TAPE_MULTIPLY);
     put_word(tape, times);
     if (operation == LAG_TAPE_SINCOS) {
         put_reads(tape, row, times);

@@ -286,8 +286,9 @@ def test_what_is_changed_or_cut_is_refused() -> None:
 def test_instructions_are_those_of_the_header() -> None:
     header = (c_folder() / "lag" / "tape" / "tape_code.h").read_text(encoding="utf-8")
     special = re.findall(r"^    LAG_TAPE_(\w+),$", header, re.M)
-    functions = re.findall(r"^    X\((\w+), ", header, re.M)
-    assert [*special[:-1], *functions, special[-1]] == list(CODE)
+    functions = re.findall(r"^    X\((\w+), [^\d]", header, re.M)
+    strided = [f"STRIDED_{name}" for name in re.findall(r"^    X\((\w+), \d\)", header, re.M)]
+    assert [*special[:-1], *functions, special[-1], *strided] == list(CODE)
     assert f"#define LAG_TAPE_ANGLES {ANGLES}\n" in header
     head = (c_folder() / "lag" / "tape.h").read_text(encoding="utf-8")
     sizes = re.search(r"enum lag_tape_size \{(.*?)LAG_TAPE_NUMBER_OF_SIZES", head, re.S)

@@ -87,7 +87,7 @@ class Tapes:
         program = self._program
         found = [along(program, parameters=part == PARTS[1]) if part in parts else None for part in PARTS[:2]]
         written = motion_jacobian(program) if PARTS[2] in parts else None
-        nodes = nodes_of(program.graph)
+        nodes = nodes_of(program.graph, program.layout)
         if self._common is None:
             self._common = one_state(program, nodes), _tables(program)
         state, tables = self._common

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from lagdsl.algebra.graph.graph import ZERO
 from lagdsl.algebra.graph.operation import FIRST_UNARY, Group, Op
 from lagdsl.derivation.program.program import Block
-from lagdsl.engines.backends.tape.instructions import CODE, GROUPS, THREE_PRODUCTS, TWO_PRODUCTS
-from lagdsl.engines.backends.tape.nodes import Flags, Ints, Nodes, distinct
-from lagdsl.engines.backends.tape.registers import places
+from lagdsl.engines.backends.tape.arrangement import Arrangement
+from lagdsl.engines.backends.tape.instructions import CODE, GROUPS, STRIDED, THREE_PRODUCTS, TWO_PRODUCTS
+from lagdsl.engines.backends.tape.nodes import Flags, Ints, Nodes, Roles, distinct
 from lagdsl.engines.backends.tape.schedule import groups
 from lagdsl.engines.backends.tape.selection import Selection, select
 from lagdsl.engines.backends.tape.settled import MINUS_ONE, ONE, Settled
@@ -161,35 +161,49 @@ def _computed(
         place = known.copy()
         place[loaded[loaded >= 0]] = first + np.flatnonzero(loaded >= 0)
         return _NOTHING, place, first + len(loaded)
-    return _body(select(nodes, live, at_hand, results), known, loaded, results, first)
+    count = len(nodes.op)  # one and minus one are two more
+    role = np.append(nodes.roles.role[live], [-1 - count, -2 - count])
+    roles = Roles(role, np.append(nodes.roles.part[live], [0, 0]))
+    return _body(select(nodes, live, at_hand, results), known, loaded, results, roles, first)
 
 
-def _body(selection: Selection, known: Ints, loaded: Ints, results: Ints, first: int) -> tuple[Piece, Ints, int]:
-    grouped = groups(selection)
-    order = np.fromiter(chain.from_iterable(grouped), dtype=np.int64)
-    count, turns = len(selection.made), selection.turns
-    when = np.empty(len(order), dtype=np.int64)
-    when[order] = np.arange(len(order))
-    writes = np.append(selection.made, np.full(len(turns), -1))[order].tolist()
-    several = {
-        int(when[count + number]): [*turn.sines[turn.sines >= 0].tolist(), *turn.cosines[turn.cosines >= 0].tolist()]
-        for number, turn in enumerate(turns)
-    }
-    last = np.full(selection.count + 2, -1, dtype=np.int64)
-    for number, turn in enumerate(turns):
-        last[turn.angles] = when[count + number]
-    sequence = order[order < count]
-    operands = selection.operands[sequence]
-    steps = np.broadcast_to(when[sequence][:, None], operands.shape)[operands >= 0]
-    read = np.full(selection.count + 2, -1, dtype=np.int64)
-    read[operands[operands >= 0]] = steps  # which ascend: of several the last one stays
-    last = np.maximum(last, read)
-    last[results] = len(order)
-    place, top = places(np.append(known, [ONE, MINUS_ONE]), loaded.tolist(), writes, several, last, first)
-    spare = int(any((values < 0).any() for turn in turns for values in (turn.sines, turn.cosines)))
-    padded = np.append(place, top)  # what nothing reads goes behind all others
-    lengths = np.fromiter(map(len, grouped), dtype=np.int64)
-    return _assembled(selection, order, lengths, padded), place, top + spare
+def _body(
+    selection: Selection, known: Ints, loaded: Ints, results: Ints, roles: Roles, first: int
+) -> tuple[Piece, Ints, int]:
+    arranged = Arrangement(
+        selection, groups(selection), np.append(known, [ONE, MINUS_ONE]), loaded, results, roles, first
+    )
+    spare = int(any((values < 0).any() for turn in selection.turns for values in (turn.sines, turn.cosines)))
+    padded = np.append(arranged.place, arranged.top)  # what nothing reads goes behind all others
+    pieces: list[Piece] = []
+    plain: list[Sequence[int] | Ints] = []
+    for stretch in [*arranged.stretches, None]:
+        if stretch is not None and not stretch.strided:
+            plain.append(stretch.steps)
+            continue
+        if plain:
+            lengths = np.fromiter(map(len, plain), dtype=np.int64)
+            order = np.fromiter(chain.from_iterable(plain), dtype=np.int64, count=int(lengths.sum()))
+            pieces.append(_assembled(selection, order, lengths, padded))
+            plain = []
+        if stretch is not None:
+            pieces.append(_over_strides(selection, np.asarray(stretch.steps), padded))
+    words, moves = zip(*pieces, strict=True)
+    return (np.concatenate(words), np.concatenate(moves)), arranged.place, arranged.top + spare
+
+
+def _over_strides(selection: Selection, steps: Ints, place: Ints) -> Piece:
+    """The words of one instruction for all `steps`."""
+    code, operands = int(selection.code[steps[0]]), selection.operands[steps[:2]]
+    summing = code in (TWO_PRODUCTS, THREE_PRODUCTS)
+    own = place[operands[:, operands[0] >= 0]]
+    head = [STRIDED[code], len(steps), int(place[selection.made[steps[0]]])]
+    signs = selection.signs[steps[:1]] if summing else _NONE
+    words = np.concatenate([head, signs, np.ravel([own[0], own[1] - own[0]], "F")])
+    moves = np.zeros(len(words), dtype=np.bool_)
+    moves[2] = True
+    moves[3 + summing :: 2] = True
+    return words, moves
 
 
 def _assembled(selection: Selection, order: Ints, lengths: Ints, place: Ints) -> Piece:

@@ -23,10 +23,21 @@ _BINARY = (
     *(Op.LESS, Op.LESS_EQUAL, Op.EQUAL, Op.AND, Op.OR),
 )
 
+_STRIDED = ("TWO_PRODUCTS", "THREE_PRODUCTS", "MULTIPLY", "DIVIDE")
+
 _number = count()
 CODE: Final[dict[str, int]] = {
-    name: next(_number) for name in (*_SPECIAL, *(op.name for op in (*_UNARY, *_BINARY, Op.SELECT)))
+    name: next(_number)
+    for name in (
+        *_SPECIAL,
+        *(op.name for op in (*_UNARY, *_BINARY, Op.SELECT)),
+        *(f"STRIDED_{name}" for name in _STRIDED),
+    )
 }
+
+# The same instructions over strides.
+STRIDED: Final[dict[int, int]] = {CODE[name]: CODE[f"STRIDED_{name}"] for name in _STRIDED}
+FIRST_STRIDED: Final = min(STRIDED.values())
 
 # Sums are of products, a term that is none is multiplied by one; signs tell which are subtracted.
 TWO_PRODUCTS: Final = CODE["TWO_PRODUCTS"]

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from lagdsl.engines.backends.tape.instructions import CODE, THREE_PRODUCTS, TWO_PRODUCTS
+from lagdsl.engines.backends.tape.instructions import CODE, FIRST_STRIDED, STRIDED, THREE_PRODUCTS, TWO_PRODUCTS
 from lagdsl.engines.backends.tape.one_state import FUNCTIONS
 from lagdsl.foundation.record import record
 
 _HEAD = 24
 _NAMES = {number: name for name, number in CODE.items()}
 _FIRST_BINARY = CODE["MULTIPLY"]
+# A place, signs, and place and stride of every operand, behind operation and number.
+_STRIDED_WIDTH = {code: 3 + {TWO_PRODUCTS: 9, THREE_PRODUCTS: 13}.get(plain, 4) for plain, code in STRIDED.items()}
 
 
 @record()
@@ -63,6 +65,8 @@ def _width(code: int, own: memoryview) -> int:
             return 4 + 2 * own[2]
         case "SINCOS":
             return 2 + 3 * own[0]
+        case _ if code >= FIRST_STRIDED:
+            return _STRIDED_WIDTH[code]
         case _:
             each = {TWO_PRODUCTS: 6, THREE_PRODUCTS: 8, CODE["SELECT"]: 4}.get(code, 3 if code >= _FIRST_BINARY else 2)
             return 2 + own[0] * each

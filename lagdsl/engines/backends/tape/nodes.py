@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lagdsl.algebra.graph.graph import Graph
-from lagdsl.algebra.graph.operation import FIRST_TERNARY
+from lagdsl.algebra.graph.operation import DIRECTION_OF, FIRST_TERNARY, Group, Op
+from lagdsl.derivation.program.program import Layout
 from lagdsl.foundation.record import record
 
 Ints = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
+_NUMBER: Final = re.compile(r"\d+")
+# Parts alike that are worth an instruction over strides: two vectors of 512 bits.
+LEAST: Final = 16
 _BITS = 62
 _ALL = (1 << _BITS) - 1
 
@@ -21,12 +27,22 @@ _ALL = (1 << _BITS) - 1
 @record()
 class Nodes:
     """`op`, `groups` (nodes) and `operands` (3, nodes; -1: none), as in the graph: the first two of a symbol are its
-    group and its index."""
+    group and its index. `roles` of arguments."""
 
     graph: Graph
     op: Ints
     operands: Ints
     groups: Ints
+    roles: Roles
+
+
+@record()
+class Roles:
+    """The `role` (values) that a value plays in each of parts alike, and the number of its `part`; alone in its role,
+    which is negative, where there are none."""
+
+    role: Ints
+    part: Ints
 
 
 def distinct(count: int, *numbers: Ints | Sequence[int]) -> Ints:
@@ -66,14 +82,41 @@ def live_sets(nodes: Nodes, roots: Sequence[Ints]) -> list[Ints]:
     return found
 
 
-def nodes_of(graph: Graph) -> Nodes:
-    """The arrays of `graph`."""
+def nodes_of(graph: Graph, layout: Layout) -> Nodes:
+    """The arrays of `graph`, whose arguments are those of `layout`."""
     op = np.frombuffer(bytes(graph.op), dtype=np.uint8).astype(np.int64)
     operands = np.full((3, len(op)), -1, dtype=np.int64)
     operands[0], operands[1] = _numbers(graph.a), _numbers(graph.b)
     ternary = np.flatnonzero(op >= FIRST_TERNARY)
     operands[2, ternary] = [graph.c[node] for node in ternary.tolist()]
-    return Nodes(graph, op, operands, _numbers(graph.groups))
+    return Nodes(graph, op, operands, _numbers(graph.groups), _roles(op, operands, layout))
+
+
+def _roles(op: Ints, operands: Ints, layout: Layout) -> Roles:
+    """Arguments whose names differ in the first number play one role; parameters and all other nodes are alone."""
+    slots = {
+        Group.LAMBDA: layout.constraints,
+        Group.Z: layout.states,
+        Group.U: layout.inputs,
+        Group.W: layout.discretes,
+    }
+    slots |= dict.fromkeys((Group.Q, Group.QD, Group.QDD), layout.coordinates)
+    slots |= {of: slots[group] for group, of in DIRECTION_OF.items() if group in slots}
+    role, part = -1 - np.arange(len(op)), np.zeros(len(op), dtype=np.int64)
+    known: dict[tuple[Group, str], int] = {}
+    for node in np.flatnonzero(op == Op.SYMBOL).tolist():
+        group, index = Group(operands[0, node]), operands[1, node]
+        own = slots.get(group, ())
+        number = _NUMBER.search(own[index].name) if index < len(own) else None
+        if number is not None:
+            name = number.string[: number.start()] + number.string[number.end() :]
+            role[node] = known.setdefault((group, name), len(known))
+            part[node] = int(number.group())
+    members = np.bincount(role[role >= 0], minlength=len(known))
+    there = np.flatnonzero(role >= 0)
+    few = there[members[role[there]] < LEAST]
+    role[few] = -1 - few
+    return Roles(role, part)
 
 
 def _numbers(values: Sequence[int]) -> Ints:

@@ -235,6 +235,28 @@ static uint64_t operation(const view *at)
     return 2 + width * at->word[1];
 }
 
+static uint64_t strided(const view *at)
+{
+#define OPERANDS(name, operands) operands,
+    static const unsigned char numbers[] = {LAG_TAPE_STRIDED(OPERANDS)};
+    const uint32_t *w = at->word;
+    const uint32_t which = w[0] - LAG_TAPE_STRIDED_TWO_PRODUCTS;
+    const uint32_t most = w[0] == LAG_TAPE_STRIDED_TWO_PRODUCTS ? 1 : 3; /* of signs */
+    const uint64_t before = w[0] <= LAG_TAPE_STRIDED_THREE_PRODUCTS ? 4 : 3;
+    const uint64_t width = before + 2 * (uint64_t)numbers[which];
+    if (!enough(at, width - 1) || w[1] == 0 || !writable(at, w[2], w[1]) || (before > 3 && w[3] > most)) {
+        return 0;
+    }
+    for (const uint32_t *operand = w + before; operand < w + width; operand += 2) {
+        const uint64_t first = operand[0];
+        const uint64_t last = first + (uint64_t)operand[1] * (w[1] - 1u);
+        if (last >= at->row || (last >= w[2] && first < (uint64_t)w[2] + w[1])) {
+            return 0;
+        }
+    }
+    return width;
+}
+
 static uint64_t instruction(const view *at)
 {
     switch (*at->word) {
@@ -243,7 +265,11 @@ static uint64_t instruction(const view *at)
     case LAG_TAPE_STORE: return store(at);
     case LAG_TAPE_SCATTER: return scatter(at);
     case LAG_TAPE_SINCOS: return angles(at);
-    default: return *at->word > LAG_TAPE_END && *at->word < LAG_TAPE_OPERATIONS ? operation(at) : 0;
+    default:
+        if (*at->word >= LAG_TAPE_STRIDED_TWO_PRODUCTS) {
+            return *at->word < LAG_TAPE_OPERATIONS ? strided(at) : 0;
+        }
+        return *at->word > LAG_TAPE_END ? operation(at) : 0;
     }
 }
 

@@ -12,6 +12,9 @@
  *     TWO_PRODUCTS count (place signs a b c d)...     a*b + c*d, with signs 1 a*b - c*d
  *     THREE_PRODUCTS count (place signs a b c d e f)...    a*b + c*d + e*f, with signs 1 - e*f, with 2 - c*d, with 3 both
  *
+ *     STRIDED_... count place signs (place stride)...    one of these (signs: of sums only), time after time: the value goes to the next place, an
+ *                                                     operand is its stride further. No operand stands where a value goes
+ *
  * Every value is rounded as that of separate operations, from left to right. Few operations that do much make few jumps from one
  * to the next, which processors foresee.
  */
@@ -62,7 +65,15 @@
     X(AND, lag_and)                 \
     X(OR, lag_or)
 
+/* Name, number of operands. */
+#define LAG_TAPE_STRIDED(X) \
+    X(TWO_PRODUCTS, 4)      \
+    X(THREE_PRODUCTS, 6)    \
+    X(MULTIPLY, 2)          \
+    X(DIVIDE, 2)
+
 #define LAG_TAPE_NAME(name, function) LAG_TAPE_##name,
+#define LAG_TAPE_STRIDED_NAME(name, operands) LAG_TAPE_STRIDED_##name,
 
 enum {
     LAG_TAPE_END,
@@ -79,6 +90,7 @@ enum {
     LAG_TAPE_BINARY(LAG_TAPE_NAME)
     LAG_TAPE_BINARY_CHOICES(LAG_TAPE_NAME)
     LAG_TAPE_SELECT,
+    LAG_TAPE_STRIDED(LAG_TAPE_STRIDED_NAME)
     LAG_TAPE_OPERATIONS
 };
 
@@ -96,6 +108,32 @@ typedef struct lag_tape_code {
 
 /* The array of a group; the time is an array, too. */
 const double *lag_tape_argument(const lag_arguments *at, uint32_t group);
+
+/* Words of an instruction that is done once, and END. */
+enum { LAG_TAPE_ONCE = 11 };
+
+/* The instruction over strides at `word` as it is done at time i, into `once`; returns the word behind it. */
+static inline const uint32_t *lag_tape_once(const uint32_t *word, uint32_t i, uint32_t once[LAG_TAPE_ONCE])
+{
+    static const unsigned char plain[] = {LAG_TAPE_TWO_PRODUCTS, LAG_TAPE_THREE_PRODUCTS, LAG_TAPE_MULTIPLY, LAG_TAPE_DIVIDE};
+    static const unsigned char operands[] = {4, 6, 2, 2};
+    const uint32_t which = *word - LAG_TAPE_STRIDED_TWO_PRODUCTS;
+    *once++ = plain[which];
+    *once++ = 1;
+    *once++ = word[2] + i;
+    word += 3;
+    if (which < 2) {
+        *once++ = *word++;
+    }
+    for (unsigned k = 0; k < operands[which]; ++k, word += 2) {
+        *once++ = word[0] + i * word[1];
+    }
+    *once = LAG_TAPE_END;
+    return word;
+}
+
+/* Runs the instruction over strides at `word`; returns the word behind it. */
+const uint32_t *lag_tape_run_strided(const uint32_t *word, double *row);
 
 /* Runs instructions over `row`. */
 void lag_tape_run(const lag_tape_code *code, const lag_arguments *at, double *row, double *const *results);

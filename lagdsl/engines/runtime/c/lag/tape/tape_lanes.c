@@ -111,6 +111,19 @@ INLINED void scatter(const uint32_t *word, const block_memory *row, block_memory
     }
 }
 
+#if defined(__wasm__)
+static const uint32_t *over_strides(const uint32_t *word, block_memory *row)
+{
+    const uint32_t *behind = word;
+    uint32_t once[LAG_TAPE_ONCE];
+    for (uint32_t i = 0; i < word[1]; ++i) {
+        behind = lag_tape_once(word, i, once);
+        lag_tape_run_lanes(&(lag_tape_code){.words = once}, NULL, (double *)row, NULL);
+    }
+    return behind;
+}
+#endif
+
 INLINED void run(const lag_tape_code *code, const lag_arguments *at, block_memory *row, double *const *results)
 {
     static const double signs[4][2] = {{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}};
@@ -169,8 +182,30 @@ INLINED void run(const lag_tape_code *code, const lag_arguments *at, block_memor
         LAG_TAPE_BINARY(OF_TWO)
         LAG_TAPE_BINARY_CHOICES(OF_TWO_BLOCKS)
         OPERATION(SELECT, 4, r(0) = CHOSEN(r(1) != none, r(2), r(3)))
+#if !defined(__wasm__)
+#define s(k) row[first[2 * (k)] + i * first[2 * (k) + 1]]
+#define OVER_STRIDES(name, before, operands, expression)        \
+        case LAG_TAPE_STRIDED_##name: {                         \
+            const uint32_t *first = word + (before);            \
+            for (size_t i = 0; i < word[1]; ++i) {              \
+                row[word[2] + i] = expression;                  \
+            }                                                   \
+            word = first + 2 * (operands);                      \
+            break;                                              \
+        }
+        OVER_STRIDES(TWO_PRODUCTS, 4, 4, s(0) * s(1) + signs[word[3]][1] * (s(2) * s(3)))
+        OVER_STRIDES(THREE_PRODUCTS, 4, 6,
+            s(0) * s(1) + signs[word[3]][0] * (s(2) * s(3)) + signs[word[3]][1] * (s(4) * s(5)))
+        OVER_STRIDES(MULTIPLY, 3, 2, s(0) * s(1))
+        OVER_STRIDES(DIVIDE, 3, 2, s(0) / s(1))
+#endif
         default:
+#if defined(__wasm__) /* the smallest code */
+            word = over_strides(word, row);
+            break;
+#else
             return; /* checked tapes have no others */
+#endif
         }
     }
 }

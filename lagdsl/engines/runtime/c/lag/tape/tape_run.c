@@ -82,17 +82,22 @@ static void sincos_of(const uint32_t *word, double *row)
 #define CASE(name) at_##name
 #define LABEL(name) &&at_##name,
 #define LABEL_OF_FUNCTION(name, function) LABEL(name)
+#define LABEL_OF_STRIDED(name, operands) LABEL(STRIDED)
 #define LABELS                                                                                       \
     static const void *const labels[] = {                                                            \
         LABEL(END) LABEL(CONSTANTS) LABEL(LOAD) LABEL(STORE) LABEL(SCATTER) LABEL(SINCOS)            \
         LABEL(TWO_PRODUCTS) LABEL(THREE_PRODUCTS) LAG_TAPE_UNARY(LABEL_OF_FUNCTION)                  \
         LAG_TAPE_UNARY_CHOICES(LABEL_OF_FUNCTION) LAG_TAPE_ARITHMETIC(LABEL_OF_FUNCTION)             \
-        LAG_TAPE_BINARY(LABEL_OF_FUNCTION) LAG_TAPE_BINARY_CHOICES(LABEL_OF_FUNCTION) LABEL(SELECT)};
+        LAG_TAPE_BINARY(LABEL_OF_FUNCTION) LAG_TAPE_BINARY_CHOICES(LABEL_OF_FUNCTION) LABEL(SELECT)                     \
+        LAG_TAPE_STRIDED(LABEL_OF_STRIDED)};
+#define STRIDED CASE(STRIDED):
 #define BEGIN NEXT;
 #define FINISH
 #else
 #define NEXT continue
 #define CASE(name) case LAG_TAPE_##name
+#define CASE_OF_STRIDED(name, operands) CASE(STRIDED_##name):
+#define STRIDED LAG_TAPE_STRIDED(CASE_OF_STRIDED)
 #define LABELS
 #define BEGIN for (;;) { switch (*word) {
 #define FINISH }}
@@ -152,5 +157,8 @@ KEPT_APART void lag_tape_run(const lag_tape_code *code, const lag_arguments *at,
     LAG_TAPE_BINARY(OF_TWO)
     LAG_TAPE_BINARY_CHOICES(OF_TWO)
     OPERATION(SELECT, 4, lag_select(r(1), r(2), r(3)))
+    STRIDED
+        word = lag_tape_run_strided(word, row);
+        NEXT;
     FINISH
 }
