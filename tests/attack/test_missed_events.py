@@ -50,6 +50,11 @@ COUNTERS = [
     counter("teeth_of_time", 1.0, "sin(62.83185307179586*time) > 0.5", 1000, 100.0, tolerance=1e-6),
     counter("narrow_teeth_of_time", 1.0, "sin(62.83185307179586*time) > 0.99999", 200, 20.0, tolerance=1e-6),
     counter("a_pulse_of_time", 1.0, "abs(time - 57) < 1e-4", 1, 100.0, tolerance=1e-6),
+    # the relation turns where its terms are round again, long behind the instant that is found
+    *(
+        counter(f"time_beside_{far:g}", 1.0, f"{far!r} + time > {far!r} + 0.5", 1, 1.0, tolerance=1e-6)
+        for far in (1e3, 1e6, 1e9)
+    ),
     counter("a_pulse_of_place", 1.0, "abs(phi - 57) < 1e-4", 1, 100.0, tolerance=1e-6),
     counter("a_pulse_of_a_product", 1.0, "(phi - 57)*(phi - 57.0002) < 0", 1, 100.0, tolerance=1e-6),
 ]

@@ -222,11 +222,13 @@
 
 #define LOWER radau_LOWER
 #define SAFETY radau_SAFETY
+#define STEADY radau_STEADY
 #define accept radau_accept
 #include "lag/methods/radau.c"
 #undef LOWER
 #undef RADAU
 #undef SAFETY
+#undef STEADY
 #undef accept
 
 #define ITERATIONS radau_effort_ITERATIONS
@@ -273,11 +275,13 @@
 #undef places
 
 #define ITERATIONS stiffness_ITERATIONS
+#define STEADY stiffness_STEADY
 #define iterate stiffness_iterate
 #define multiply stiffness_multiply
 #define prepare stiffness_prepare
 #include "lag/methods/stiffness.c"
 #undef ITERATIONS
+#undef STEADY
 #undef iterate
 #undef multiply
 #undef prepare

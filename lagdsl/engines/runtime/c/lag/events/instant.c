@@ -162,6 +162,7 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     motion->at.t = t;
     lag_status status = model->discrete_start(&motion->at, motion->w);
     instants->timed.length = instants->contacts.length;
+    instants->timed.shown = t;
     status = status == LAG_OK ? initialize(instants, t, x) : status;
     if (status == LAG_OK) {
         const int pierced = lag_contacts_penetrating(&instants->contacts, t, x, instants->discretes.guilty + instants->motion->places.contact);

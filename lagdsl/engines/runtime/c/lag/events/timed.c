@@ -12,7 +12,7 @@
 /* Changes so many units in the last place apart are one, */
 static const double ULPS = 16.0;
 /* and a change that is lost in round-off there is looked for behind, in doubled distances. */
-enum { FARTHER = 8 };
+enum { FARTHER = 32 };
 /* The experiment is looked over in so many parts for zeros of what is not affine, */
 static const double PARTS = 64.0;
 /* each of them halved at most so often, */
@@ -220,7 +220,7 @@ lag_status lag_timed_set(lag_timed *timed, double t)
 
 lag_status lag_timed_set_behind(lag_timed *timed, double t)
 {
-    return lag_timed_set(timed, lag_timed_behind(timed, t));
+    return lag_timed_set(timed, fmax(lag_timed_behind(timed, t), timed->shown));
 }
 
 lag_status lag_timed_find_next(lag_timed *timed, double t)
@@ -276,11 +276,14 @@ lag_status lag_timed_change(lag_timed *timed, double t)
     }
     lag_copy(timed->motion->model->ntimed, timed->motion->w + timed->motion->places.timed, timed->before);
     lag_status status = lag_timed_set(timed, later);
-    for (int k = 0; k < FARTHER && status == LAG_OK && is_lost(timed, later); ++k) { /* a tent at its top never changes */
+    int lost = status == LAG_OK && is_lost(timed, later);
+    for (int k = 0; k < FARTHER && lost && status == LAG_OK; ++k) {
         by *= 2.0;
         status = lag_timed_set(timed, t + by);
+        lost = status == LAG_OK && is_lost(timed, later);
     }
-    return status;
+    timed->shown = lost ? later : t + by;
+    return lost ? lag_timed_set(timed, later) : status; /* a tent at its top never changes */
 }
 
 int lag_timed_is_reported(const lag_timed *timed)

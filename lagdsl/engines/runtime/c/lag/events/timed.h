@@ -17,6 +17,7 @@ typedef struct lag_timed {
     lag_motion *motion;
     double length;                            /* of the experiment [s]; 0: not known */
     double next;                              /* time of the next change, or up to which there is none */
+    double shown;                             /* the last change shows there, which may be lost in round-off before */
     double *value, *told;                     /* (ntimed) */
     double *before;                           /* (ntimed) the entries before the last change */
     double *distance, *rate, *affine, *entry; /* (ndistance) */

@@ -94,6 +94,7 @@ static void record_instants(lag_instants *instants, lag_record *record)
     RECORD(instants->contacts.blows.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
+    RECORD(instants->timed.shown);
     RECORD(instants->instant.moment);
     RECORD(instants->clauses.stopped);
     RECORD(instants->clauses.fault);
