@@ -118,9 +118,11 @@ lag_status lag_instants_sides(lag_instants *instants, double t, const double *x,
         return LAG_OK;
     }
     const lag_status status = find_sides(instants, t, x);
+    const int alone = instants->sides.begins && !instants->instant.acted && lag_same(instants->motion->places.relation, instants->instant.stood, instants->motion->w); /* relations turned */
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
+        const int returns = alone && truth[i] != instants->instant.stood[instants->motion->places.relation + i];
         if (side[i] != 0.0) {
-            truth[i] = side[i] > 0.0;
+            truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
         } else if (!has_turned(instants, turned, i) && fabs(instants->sides.before[i]) > lag_noise_known(&instants->noise, i)) {
             truth[i] = holds(model, i, 0.0); /* a clause has put it there: no projection moves a value so far */
         }

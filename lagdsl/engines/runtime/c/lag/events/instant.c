@@ -179,7 +179,10 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
         motion->w[instants->motion->places.initial] = 1.0;
     }
     remember(instants, x);
-    return run(instants, t, x, NULL, NULL);
+    instants->sides.begins = 1;
+    status = run(instants, t, x, NULL, NULL);
+    instants->sides.begins = 0;
+    return status;
 }
 
 lag_status lag_instants_end(lag_instants *instants, double t, double *x)

@@ -50,6 +50,7 @@ typedef struct lag_sides {
     double *side;          /* 1 or -1; 0: they do not show it */
     double *truth;         /* before a pass turns them */
     const double *located; /* flags: they were located at their zeros, wherever a projection moves them; null: none */
+    int begins;            /* this is the start, from which no side was chosen yet */
 } lag_sides;
 
 /* States that are tried. */
