@@ -47,7 +47,7 @@ static double refine(change *one, double a, double fa, double b, double root, do
     const double value = value_of(one, root);
     const double better = root - value * (root - a) / (value - fa);
     const int is_steep = fabs(before) * (root - a) > STEEP * fabs(fa) * tolerance;
-    const int jumps = fabs(better - root) > tolerance || is_steep;
+    const int jumps = fabs(value) > ALIKE * fabs(fa) || fabs(better - root) > tolerance || is_steep;
     return jumps ? fmin(b, root + LAG_SCAN_TOGETHER * tolerance) : better;
 }
 
