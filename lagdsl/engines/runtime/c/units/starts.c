@@ -18,6 +18,7 @@
 #include "lag/initial/nearest_configuration.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
+#include "lag/linalg/lemke.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/linear_program.h"
 #include "lag/linalg/nnls.h"

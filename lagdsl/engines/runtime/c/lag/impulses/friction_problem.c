@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/lemke.h"
 #include "lag/linalg/nnls.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
@@ -26,12 +27,14 @@ typedef struct scaled {
     double *rest;             /* (size) lam - proj(lam - gamma) */
     double *change;           /* (size) */
     double *slope;            /* (size, size) of `rest` */
-    double *work;             /* of a decomposition */
+    double *work;             /* of Lemke's method, or of a decomposition */
 } scaled;
 
 size_t lag_friction_problem_memory(size_t normals, size_t frictions, size_t size)
 {
-    return lag_larger(lag_nnls_memory(normals), 7 * size + frictions + size * size + lag_svd_memory(size, size));
+    const size_t all = normals + 3 * frictions;
+    const size_t work = lag_larger(all * all + 2 * all + lag_lemke_memory(all), lag_svd_memory(size, size));
+    return lag_larger(lag_nnls_memory(normals), 7 * size + frictions + size * size + work);
 }
 
 /* A row without compliance has no scale: nothing moves it. */
@@ -109,6 +112,50 @@ static double find_force(const scaled *s, size_t k, double part, double *y)
     y[0] = s->lam[first] - part * rate_of(s, first);
     y[1] = last > first ? s->lam[last] - part * rate_of(s, last) : 0.0;
     return hypot(y[0], y[1]);
+}
+
+/* ---- scalar slips ---- */
+
+/* Unknowns: normal forces, forces of friction in either sense, speeds of slips; c has a size of one. 1: a solution was found. */
+static int solve_scalar(scaled *s)
+{
+    const lag_friction_problem *p = s->p;
+    const size_t n = s->size;
+    const size_t normals = p->normals;
+    const size_t slips = p->frictions;
+    const size_t all = normals + 3 * slips;
+    const double size = s->largest > 0.0 ? s->largest : 1.0;
+    double *memory = s->work;
+    double *a = lag_take(&memory, all * all);
+    double *b = lag_take(&memory, all);
+    double *z = lag_take(&memory, all);
+    lag_fill(all * all, 0.0, a);
+    for (size_t i = 0; i < n; ++i) {
+        double *row = a + i * all;
+        for (size_t j = 0; j < n; ++j) {
+            row[j] = p->compliance[i * n + j];
+            row[j + slips] = j >= normals ? -p->compliance[i * n + j] : row[j + slips];
+        }
+        b[i] = p->rates[i] / size;
+    }
+    for (size_t k = 0; k < slips; ++k) {
+        const double *row = a + (normals + k) * all;
+        double *other = a + (normals + slips + k) * all;
+        double *limit = a + (normals + 2 * slips + k) * all;
+        for (size_t j = 0; j < normals + 2 * slips; ++j) {
+            other[j] = -row[j];
+        }
+        b[normals + slips + k] = -b[normals + k];
+        a[(normals + k) * all + normals + 2 * slips + k] = other[normals + 2 * slips + k] = 1.0;
+        memcpy(limit, p->coefficients + k * normals, normals * sizeof(double));
+        limit[normals + k] = limit[normals + slips + k] = -1.0;
+        b[normals + 2 * slips + k] = fmax(p->limits[k], 0.0) / size;
+    }
+    const int found = lag_lemke(all, a, b, z, memory);
+    for (size_t i = 0; i < n; ++i) {
+        s->lam[i] = size * (i < normals ? z[i] : z[i] - z[i + slips]);
+    }
+    return found;
 }
 
 /* ---- Newton's method, and the residual of the law ---- */
@@ -274,7 +321,11 @@ lag_status lag_friction_problem_solve(lag_friction_problem *problem, double *lam
         return LAG_OK;
     }
     scaled s = begin(problem, memory);
-    const double left = iterate(&s);
+    int scalar = 1;
+    for (size_t k = 0; k < problem->frictions; ++k) {
+        scalar = scalar && problem->components[k] == 1.0;
+    }
+    const double left = scalar && solve_scalar(&s) ? improve(&s) : iterate(&s);
     for (size_t i = 0; i < s.size; ++i) {
         lam[i] = left <= LAG_SOLVED ? s.lam[i] * s.scale[i] : 0.0;
     }

@@ -7,10 +7,10 @@
  * friction that slips adds its part to the columns of the normal rows.
  *
  * Without friction, and with a symmetric G, lam is that of a problem of least squares, which has a solution in any case: what of c is outside
- * of the range of G is left out. Else Newton's method on lam - proj(lam - D gamma) = 0 leads to it, from where Gauss-Seidel's iteration with projection onto
- * the discs has come, as often as it takes.
+ * of the range of G is left out. Scalar slips: lam_t = y - m with y, m >= 0 makes it one linear complementarity problem, by Lemke's method. Slips in a
+ * plane: Gauss-Seidel's iteration with projection onto the discs. Both end with Newton's method on lam - proj(lam - D gamma) = 0.
  *
- * Source: Glocker, Set-Valued Force Laws (2001), chapters 5 and 8; Alart, Curnier, Comput. Methods Appl. Mech. Eng. 92
+ * Source: Glocker, Set-Valued Force Laws (2001), chapters 5 and 8 (the complementarity problem); Alart, Curnier, Comput. Methods Appl. Mech. Eng. 92
  * (1991) 353 (Newton's method on the projection); Jourdan, Alart, Jean, Comput. Methods Appl. Mech. Eng. 155 (1998) 31 (Gauss-Seidel).
  */
 #ifndef LAG_FRICTION_PROBLEM_H

@@ -11,7 +11,7 @@
  * longer, below it the explicit method could do steps as long as those of the implicit one.
  */
 static const double EASY = 2.0;
-/* Steps are steady while the next one is not so many times as long as the last, and the last one not so many times shorter than the mean. */
+/* Steps are steady while the next one is less than so many times as long as the last, and the last and the mean less than so many times as long as each other. */
 static const double STEADY = 2.0;
 enum { SIGNS = 15, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
@@ -229,7 +229,7 @@ static int is_due(const lag_stiffness *stiffness, const lag_stepper *s)
 {
     const double last = s->t - s->t_before;
     const double mean = (s->t - stiffness->t) / (double)(s->counts.steps - stiffness->before.steps);
-    return s->counts.steps >= stiffness->question && s->h <= STEADY * last && mean <= STEADY * last;
+    return s->counts.steps >= stiffness->question && fmax(s->h, mean) <= STEADY * last && last <= STEADY * mean;
 }
 
 /* After a step of the explicit method. */
