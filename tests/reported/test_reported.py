@@ -679,7 +679,7 @@ def test_a_place_has_one_name() -> None:
         end Chain;"""
     )
     assert "(F, 0)  point r₂" in text and "∂r₂/∂b = (l cos b, l sin b)" in text
-    assert "(0, F)  point r_end = (2 l sin a, 0)" in text and "∂r_end/∂a = (2 l cos a, 0)" in text
+    assert "(0, F)\n        point r_end = (2 l sin a, 0)" in text and "∂r_end/∂a = (2 l cos a, 0)" in text
     assert "∂r₁" not in text
 
 
