@@ -9,7 +9,8 @@ growth of the memory of the process; tapes, least of several runs, BLAS with one
 all sizes; those of memory of the larger half of them, since memory of small models is noise of the process. They belong
 to N, but to N^2 masses of a grid and to N (N - 1)/2 pairs of bodies. Sizes that would take longer than the time of the
 part are left out. Strains of the beam with shear are differences of positions: behind 512 elements the round-off of its
-forces is more than the tolerance of 1e-8 admits, and every method takes steps of this noise. At 1e-5 its time is linear."""
+forces is more than the tolerance of 1e-8 admits, and all methods take steps of
+this noise. At 1e-5 its time is linear."""
 _EVENTS = """\
 N balls have N times the events of one, at instants of their own. Each ball is an island: it has steps and instants of
 its own, so N balls cost N times one (`docs/adr/0011`). Rows of all balls at the events of all are N^2 numbers; they are
