@@ -139,8 +139,7 @@ lag_status lag_instants_find_turning(lag_instants *instants, double t, const dou
     memcpy(before, truth, model->nindicator * sizeof(double));
     const lag_status status = any ? find_sides(instants, t, x) : lag_instants_sides(instants, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        const int turns = any ? turned[i] != 0.0 && holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : truth[i] != before[i];
-        turned[i] = turns;
+        turned[i] = any ? turned[i] != 0.0 && holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : truth[i] != before[i];
     }
     memcpy(truth, before, model->nindicator * sizeof(double));
     return status;

@@ -142,8 +142,7 @@ static int may_need_forces(const lag_guards *guards, size_t i)
 {
     const lag_model *model = guards->motion->model;
     const size_t k = i - model->nindicator; /* large for relations */
-    const int is_open = k < model->ncontact && !is_closed(guards, k);
-    return !is_open && (i < lag_guard_count(model) || guards->corners.solved);
+    return (k >= model->ncontact || is_closed(guards, k)) && (i < lag_guard_count(model) || guards->corners.solved);
 }
 
 static lag_status evaluate(lag_guards *guards, double t, const double *x)
@@ -153,7 +152,9 @@ static lag_status evaluate(lag_guards *guards, double t, const double *x)
     while (i < count && !(is_sought(guards, i) && may_need_forces(guards, i))) {
         ++i;
     }
-    lag_motion_set_state(guards->motion, t, x);
+    if (i == count) {
+        lag_motion_set_state(guards->motion, t, x);
+    }
     lag_status status = i < count ? lag_motion_solve(guards->motion, t, x) : LAG_OK;
     status = status == LAG_OK ? look(guards, i < count) : status;
     if (status == LAG_OK) {

@@ -319,9 +319,9 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
     const double noise = FEW * r->noise->sigma[which];
     const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, noise);
     memcpy(r->impulse->before, r->before, n * sizeof(double));
-    set_relations(r, r->other);
+    set_relations(r, r->other); /* the impulse has rows and momenta of that side still: nothing was balanced since */
     const int jumps = fabs(after - side.energy) > JUMP * size || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
-    status = status == LAG_OK && jumps && is_there ? find_rates(r, t, x, &side, refracted) : status;
+    status = jumps && is_there ? find_rates(r, t, x, &side, refracted) : LAG_OK;
     truth[which] = r->truth[which];
     if (!*refracted) {
         set_relations(r, r->truth);

@@ -13,14 +13,16 @@
 static const double EASY = 2.0;
 /* Steps are steady while the next one is less than so many times as long as the last, and the last and the mean less than so many times as long as each other. */
 static const double STEADY = 2.0;
+/* Steps before the first question without signs: what a start does tells nothing. */
+enum { FIRST = 60 };
 enum { SIGNS = 15, EVERY = 10, BACK = 2, ITERATIONS = 24 };
 /* Products with the Jacobian that a look at its eigenvalues takes; a matrix of more columns is not formed for them. */
 enum { PRODUCTS = ITERATIONS + 2 };
 /*
- * Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run, as far as it is foreseen; those without signs
- * leave half of that.
+ * Trials in vain, and looks at eigenvalues, take no more than one of so many parts of the work of a run, as far as it is foreseen. Without signs it is
+ * less: runs in lanes make evaluations together, and trials alone.
  */
-enum { PARTS = 32, PARTS_WITHOUT_SIGNS = 2 * PARTS };
+enum { PARTS = 32, PARTS_WITHOUT_SIGNS = 4 * PARTS };
 
 /* Numbers of the matrix. */
 static size_t matrix_numbers(size_t size)
@@ -35,7 +37,7 @@ size_t lag_stiffness_memory(size_t size)
 
 void lag_stiffness_place(lag_stiffness *stiffness, size_t size, double *memory)
 {
-    *stiffness = (lag_stiffness){.needed = BACK, .question = SIGNS, .matrix = memory};
+    *stiffness = (lag_stiffness){.needed = BACK, .question = FIRST, .matrix = memory};
     stiffness->v = memory + matrix_numbers(size);
     stiffness->f = stiffness->v + 3 * size;
     stiffness->point = stiffness->f + size;
@@ -224,24 +226,29 @@ static int is_limited(lag_stiffness *stiffness, lag_stepper *s)
     return ++stiffness->signs >= SIGNS;
 }
 
-/* True if it is time to ask without signs: not where steps grow, as behind a start, or become short, as in front of a corner. */
-static int is_due(const lag_stiffness *stiffness, const lag_stepper *s)
+/* True if steps since the mark are steady: they do not grow, as behind a start, or become short, as in front of a corner. */
+static int is_steady(const lag_stiffness *stiffness, const lag_stepper *s)
 {
     const double last = s->t - s->t_before;
     const double mean = (s->t - stiffness->t) / (double)(s->counts.steps - stiffness->before.steps);
-    return s->counts.steps >= stiffness->question && fmax(s->h, mean) <= STEADY * last && last <= STEADY * mean;
+    return fmax(s->h, mean) <= STEADY * last && last <= STEADY * mean;
 }
 
 /* After a step of the explicit method. */
 static const lag_method *after_explicit(lag_stiffness *stiffness, lag_stepper *s, double stop)
 {
     const int limited = is_limited(stiffness, s);
-    if (!limited && !is_due(stiffness, s)) {
+    if (!limited && s->counts.steps < stiffness->question) {
         return s->method;
     }
+    const int known = limited || is_steady(stiffness, s);
     const double since = stiffness->t;
     const double before = stiffness->spent;
     count_explicit(stiffness, s);
+    if (!known) {
+        stiffness->question = s->counts.steps + SIGNS;
+        return s->method;
+    }
     const double mean = (s->t - since) / (stiffness->spent - before);
     stiffness->progress = limited ? mean : fmax(mean, (s->t - s->t_before) / LAG_DOP853_STAGES);
     stiffness->signs = 0;
