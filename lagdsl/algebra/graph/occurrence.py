@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,17 +13,42 @@ from lagdsl.algebra.graph.operation import Group
 Indices = NDArray[np.intp]
 
 
+class Dependences:
+    """The symbols in each of some expressions. Those of one are listed, ascending, when they are asked for: where every
+    expression has nearly every symbol, lists of all take as many times the memory of their bits as a number has bits.
+    """
+
+    def __init__(self, numbers: Indices, sets: Sequence[tuple[int, int] | None]) -> None:
+        self._numbers = numbers  # of the symbol at each place
+        self._sets = sets
+
+    def __len__(self) -> int:
+        return len(self._sets)
+
+    def __getitem__(self, row: int) -> Indices:
+        found = self._sets[row]
+        return self._numbers[:0] if found is None else np.sort(self._numbers[_members(*found)])
+
+    def __iter__(self) -> Iterator[Indices]:
+        return (self[row] for row in range(len(self)))
+
+    @property
+    def counts(self) -> list[int]:
+        """How many symbols each expression has."""
+        return [0 if found is None else found[1].bit_count() for found in self._sets]
+
+
 def occurrences(graph: Graph, elements: Sequence[int], group: Group) -> tuple[Indices, Indices]:
     """For each symbol of `group` in an element: the place of the element and the index of the symbol, element by
     element."""
     found = dependences(graph, elements, {group: 0})
     empty = np.zeros(0, dtype=np.intp)
-    rows = np.repeat(np.arange(len(found)), [len(own) for own in found])
+    rows = np.repeat(np.arange(len(found)), found.counts)
     return rows, np.concatenate([empty, *found])
 
 
-def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> list[Indices]:
-    """The symbols in each element, ascending: those of a group from its `first` number on.
+def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> Dependences:
+    """The symbols in each element: those of a group from its `first` number on.
 
     A set is bits from some place on. Symbols that are read together have places beside each other, so that few of them
     are few bits, and a node costs little more than its operands. A set is forgotten behind its last use.
@@ -48,7 +73,7 @@ def dependences(graph: Graph, elements: Sequence[int], first: Mapping[Group, int
         for operand in own:
             if last[operand] == node:
                 known.pop(operand, None)
-    return [np.sort(numbers[_members(*known[element])] if element in known else numbers[:0]) for element in elements]
+    return Dependences(numbers, [of(element) for element in elements])
 
 
 def _numbered(graph: Graph, elements: Sequence[int], first: Mapping[Group, int]) -> tuple[Indices, dict[int, int]]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from lagdsl.algebra.graph.occurrence import Indices, dependences
+from lagdsl.algebra.graph.occurrence import Dependences, Indices, dependences
 from lagdsl.algebra.graph.operation import Group
 from lagdsl.derivation.program.program import Program
 from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
@@ -98,11 +98,10 @@ def equations_pattern(program: Program) -> EquationsPattern:
     if program.has("load") or not nq + nz:
         return EquationsPattern()
     state, count = 2 * nq + nz, nq + nz + nc
-    found = _symbols_of_equations(program)
-    half = (_coupled(found[:nq], state) + 1) // 2
+    half = (_coupled(program) + 1) // 2
     if not _is_worth_it(count, half, half, nq + nz):  # long lists and orders of entries are for nothing
         return EquationsPattern()
-    rows, columns = _entries_of_equations(program, found)
+    rows, columns = _entries_of_equations(program)
     unknowns = np.concatenate([np.arange(nq), np.arange(nq + nz), np.arange(nq), np.arange(nq + nz, count)])[columns]
     order = reverse_cuthill_mckee(count, zip(rows.tolist(), unknowns.tolist(), strict=True))
     places = np.argsort(order)
@@ -125,18 +124,16 @@ def _is_worth_it(count: int, lower: int, upper: int, dense: int) -> bool:
     return 3 * _WORTH_A_BAND * count * lower * (lower + upper + 1) <= dense**3
 
 
-def _coupled(motion: Sequence[Indices], state: int) -> int:
+def _coupled(program: Program) -> int:
     """With so many others the row of motion with most accelerations is coupled by accelerations of both: half of them
     lie on one side of it in any order, and so on both sides of the diagonal."""
-    accelerations = [own[(own >= state) & (own < state + len(motion))] - state for own in motion]
-    longest = max(range(len(motion)), key=lambda row: len(accelerations[row]), default=0)
-    return sum(
-        other != longest and bool(np.any(accelerations[other] == longest))
-        for other in (accelerations[longest].tolist() if accelerations else ())
-    )
+    motion = dependences(program.graph, program.function("residual").results[0].elements, {Group.QDD: 0})
+    longest = int(np.argmax(motion.counts)) if len(motion) else 0
+    others = motion[longest] if len(motion) else ()
+    return sum(other != longest and longest in motion[other] for other in others)
 
 
-def _symbols_of_equations(program: Program) -> list[Indices]:
+def _symbols_of_equations(program: Program) -> Dependences:
     """The columns of each row."""
     graph, layout = program.graph, program.layout
     nq, nz = len(layout.coordinates), len(layout.states)
@@ -147,12 +144,13 @@ def _symbols_of_equations(program: Program) -> list[Indices]:
     return dependences(graph, [*motion.elements, *rates.elements, *constraints.elements], first)
 
 
-def _entries_of_equations(program: Program, found: Sequence[Indices]) -> tuple[Indices, Indices]:
+def _entries_of_equations(program: Program) -> tuple[Indices, Indices]:
     """Rows and columns, row by row, and those of J."""
+    found = _symbols_of_equations(program)
     layout = program.layout
     nq, nz, nc = len(layout.coordinates), len(layout.states), len(layout.constraints)
     state, width = 2 * nq + nz, 3 * nq + nz + nc
-    own = np.repeat(np.arange(len(found)), [len(row) for row in found]) * width + np.concatenate(found)
+    own = np.repeat(np.arange(len(found)), found.counts) * width + np.concatenate(list(found))
     rows, columns = (np.array(numbers, dtype=np.intp) for numbers in jacobian_pattern(program))
     of_rows, of_multipliers = (nq + nz + rows) * width + state + columns, columns * width + state + nq + rows
     return np.divmod(np.unique(np.concatenate([own, of_rows, of_multipliers])), width)
