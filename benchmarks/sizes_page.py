@@ -6,11 +6,11 @@ Results = dict[str, Any]
 _SIZES = """\
 CPU seconds of the derivation, of start values, of the motion behind them (projection and events in it), and the
 growth of the memory of the process; tapes, least of several runs, BLAS with one thread. Exponents as above, of
-all sizes; those of memory of the larger half of them, since memory of small models is noise of the process. They belong
-to N, but to N^2 masses of a grid and to N (N - 1)/2 pairs of bodies. Sizes that would take longer than the time of the
-part are left out. Strains of the beam with shear are differences of positions: behind 512 elements the round-off of its
-forces is more than the tolerance of 1e-8 admits, and all methods take steps of
-this noise. At 1e-5 its time is linear."""
+all sizes; those of memory of the sizes with 16 MB and more, since memory of small models is noise of the process. They
+belong to N, but to N^2 masses of a grid and to N (N - 1)/2 pairs of bodies. Sizes that would take longer than the time
+of the part are left out. Strains of the beam with shear are differences of positions: behind 512 elements the round-off
+of its forces is more than the default tolerance of 1e-8 admits, and all methods take steps of this noise."""
+_NOISE = 16.0  # MB of memory
 _EVENTS = """\
 N balls have N times the events of one, at instants of their own. Each ball is an island: it has steps and instants of
 its own, so N balls cost N times one (`docs/adr/0011`). Rows of all balls at the events of all are N^2 numbers; they are
@@ -48,7 +48,7 @@ def sizes(found: Results) -> list[str]:
             )
         curve = [{**p, "n": family.parts(int(p["n"]))} for p in rows]
         slopes = [exponent(curve, key) for key in ("derive", "start", "whole")]
-        slopes.append(exponent(curve[len(curve) // 2 :], "memory", least=3))
+        slopes.append(exponent([p for p in curve if (p["memory"] or 0.0) >= _NOISE], "memory", least=3))
         told = ["" if slope is None else f"{slope:.2f}" for slope in slopes]
         of = "" if family.unit == "N" else f" of {family.unit}"
         lines.append(f"| exponent{of} | {told[0]} | {told[1]} | | {told[2]} | {told[3]} | |")

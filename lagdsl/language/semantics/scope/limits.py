@@ -14,12 +14,12 @@ MAX_ELEMENTS = 100_000
 MAX_TURNS = 200_000
 """Turns of all loops, comprehensions and reductions of a model together."""
 
-MAX_COMPONENTS = 20_000
-"""Components of a model, those of components included."""
-
 MAX_COORDINATES = 40_000
 """Coordinates and states: the runtime reserves a hundred matrices of them, of which it touches the pages with entries;
 these are 1.3 TB of the 128 TB that a process can address."""
+
+MAX_COMPONENTS = 2 * MAX_COORDINATES
+"""Components of a model, those of components included: a joint and a link for each coordinate."""
 
 MAX_CALLS = 50_000
 """Calls of the user's functions that are expanded in place, nested ones included."""
