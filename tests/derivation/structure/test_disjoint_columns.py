@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 import lagdsl
 from lagdsl.algebra.graph import Graph, Group
-from lagdsl.algebra.graph.occurrence import occurrences
+from lagdsl.algebra.graph.occurrence import dependences, occurrences
 from lagdsl.derivation.mechanics.arrange import arrange
 from lagdsl.derivation.structure.functions import ProgramFunctions
 from lagdsl.foundation.numerics.disjoint_columns import disjoint_columns
@@ -37,6 +37,9 @@ def test_an_expression_has_the_symbols_below_it() -> None:
     elements = [graph.multiply(x[0], x[69]), graph.add(v[1], graph.one), graph.zero, graph.multiply(v[0], x[3]), x[69]]
     rows, columns = occurrences(graph, elements, Group.Q)
     assert list(zip(rows.tolist(), columns.tolist(), strict=True)) == [(0, 0), (0, 69), (3, 3), (4, 69)]
+    of_both = dependences(graph, elements, {Group.QD: 0, Group.Q: 2})
+    assert [row.tolist() for row in of_both] == [[2, 71], [1], [], [0, 5], [71]]
+    assert of_both.counts == [2, 1, 0, 2, 1]
 
 
 CHAIN = """model Chain
