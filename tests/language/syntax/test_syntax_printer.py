@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from choice import spread, together
@@ -230,3 +231,12 @@ def test_faults_give_no_text():
     sink = Sink()
     assert format_text(SourceFile("t", "model M Real x = ; end M;"), sink) is None
     assert [d.code for d in sink.diagnostics] == ["E0100"]
+
+
+@pytest.mark.parametrize("folder", ["stdlib", "benchmarks/models"])
+def test_texts_of_the_project_are_formatted(folder: str) -> None:
+    """Those of models/ are looked at in tests/models."""
+    paths = sorted((Path(__file__).parents[3] / folder).rglob("*.lag"))
+    assert len(paths) > 20
+    texts = {path.name: path.read_text(encoding="utf-8") for path in paths}
+    assert [name for name, text in texts.items() if formatted(text) != text] == [], "run `lag fmt`"
