@@ -86,11 +86,13 @@
 #undef find_rates
 #undef turn_relation
 
+#define AGAIN timed_AGAIN
 #define HALVES timed_HALVES
 #define ULPS timed_ULPS
 #define evaluate timed_evaluate
 #define value_of timed_value_of
 #include "lag/events/timed.c"
+#undef AGAIN
 #undef HALVES
 #undef ULPS
 #undef evaluate
@@ -150,11 +152,13 @@
 #include "lag/run/run_rows.c"
 #undef LEAST
 
+#define AGAIN run_scan_AGAIN
 #define FIRST run_scan_FIRST
 #define count_of run_scan_count_of
 #define place_of run_scan_place_of
 #define remember run_scan_remember
 #include "lag/run/run_scan.c"
+#undef AGAIN
 #undef FIRST
 #undef count_of
 #undef place_of

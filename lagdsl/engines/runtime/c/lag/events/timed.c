@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/minimum.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/root.h"
 #include "lag/linalg/vector.h"
@@ -15,10 +16,8 @@ static const double ULPS = 16.0;
 enum { FARTHER = 32 };
 /* The experiment is looked over in so many parts for zeros of what is not affine, */
 static const double PARTS = 64.0;
-/* each of them halved at most so often, */
-enum { HALVES = 20 };
-/* until cubics are off by less than this part of what is seen. */
-static const double OFF = 0.01;
+/* each of them halved at most so often; minima get at most so many samples more. */
+enum { HALVES = 20, AGAIN = 16 };
 
 void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout)
 {
@@ -66,118 +65,71 @@ static double value_of(void *context, double t)
     return one->value;
 }
 
-/* A point of a distance. */
-typedef struct point {
-    double t, value, rate;
-} point;
-
-static point at(distance *one, double t)
+static double zero_between(distance *one, double a, double before, double b, double behind)
 {
-    (void)value_of(one, t);
-    return (point){t, one->value, one->rate};
+    return lag_root(value_of, one, a, fmax(before, DBL_MIN), b, behind, DBL_EPSILON * fabs(b));
 }
 
-/* Error of Hermite's cubic through a and b at the middle; not a number if there is no cubic. */
-static double misfit(const point *a, const point *m, const point *b)
+/* A time at which a distance, known up to an error, is not positive at its minimum between three samples; infinite: it has none. */
+static double find_minimum(distance *one, const double *t, const double *values, double error, int just)
 {
-    const double h = b->t - a->t;
-    const double value = 0.5 * (a->value + b->value) + 0.125 * h * (a->rate - b->rate);
-    const double rate = 1.5 * (b->value - a->value) / h - 0.25 * (a->rate + b->rate);
-    return fabs(m->value - value) + h * fabs(m->rate - rate);
-}
-
-/* The least value of Hermite's cubic between a and b, and where that is. */
-static double least(const point *a, const point *b, double *t)
-{
-    const double h = b->t - a->t;
-    const double bend = 3.0 * (b->value - a->value) - h * (2.0 * a->rate + b->rate);
-    const double twist = 2.0 * (a->value - b->value) + h * (a->rate + b->rate);
-    const double root = sqrt(bend * bend - 3.0 * twist * h * a->rate);
-    /* the zero of the derivative with positive curvature, in the form that does not cancel */
-    const double s = bend + root != 0.0 ? -h * a->rate / (bend + root) : -1.0;
-    *t = a->value <= b->value ? a->t : b->t;
-    double value = fmin(a->value, b->value);
-    if (s > 0.0 && s < 1.0) {
-        const double inside = a->value + s * (h * a->rate + s * (bend + s * twist));
-        if (inside < value) {
-            value = inside;
-            *t = a->t + s * h;
-        }
-    }
-    return value;
-}
-
-static int is_out(const point *p)
-{
-    return !(p->value > 0.0);
-}
-
-static int is_infinite(const point *p)
-{
-    return p->value == (double)INFINITY;
-}
-
-/* The zero between a, which is inside, and b, which is not. */
-static double zero_between(distance *one, const point *a, const point *b)
-{
-    return lag_root(value_of, one, a->t, fmax(a->value, DBL_MIN), b->t, b->value, DBL_EPSILON * fabs(b->t));
-}
-
-/* The first zero between a and b, on which a cubic fits; infinite without; *unclear: it may touch zero, halve it. */
-static double zero_in(distance *one, const point *a, const point *b, double off, int *unclear)
-{
+    lag_triple at = {{t[0], t[1], t[2]}, {values[0], values[1], values[2]}};
     double place = 0.0;
-    const double lowest = least(a, b, &place);
-    if (lowest > off) {
-        return (double)INFINITY;
-    }
-    if (place > a->t && place < b->t) {
-        const point p = at(one, place);
-        if (is_out(&p)) {
-            return zero_between(one, a, &p);
+    double height = 0.0;
+    for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &place, &height); ++again) {
+        const double value = value_of(one, place);
+        if (!(value > 0.0)) {
+            return place;
         }
+        error = fmax(fabs(value - height), LAG_CLEARER * error);
+        lag_minimum_narrow(&at, place, value);
     }
-    if (is_out(b)) {
-        return zero_between(one, a, b);
-    }
-    *unclear = lowest < off && place > a->t && place < b->t;
     return (double)INFINITY;
 }
 
-/* The first zero of a distance between times `from` and `to`, in steps of at most `part`. */
+/* The first zero in a piece, of which the samples are known; infinite without. */
+static double zero_in(distance *one, const double *t, const double *values, int just)
+{
+    double error = 0.0;
+    (void)lag_piece_error(values, &error);
+    for (int k = 1; k < LAG_PIECE_SAMPLES; ++k) {
+        if (!(values[k] > 0.0)) {
+            return zero_between(one, t[k - 1], values[k - 1], t[k], values[k]);
+        }
+        const double low = k > 1 ? find_minimum(one, t + k - 2, values + k - 2, error, just && k == 2) : (double)INFINITY;
+        if (low < (double)INFINITY) {
+            const int early = low <= t[k - 1];
+            return zero_between(one, early ? t[k - 2] : t[k - 1], early ? values[k - 2] : values[k - 1], low, value_of(one, low));
+        }
+    }
+    return (double)INFINITY;
+}
+
+/* The first zero of a distance between times `from` and `to`, in pieces that samples tell the shape of, at most as long as `part`. */
 static double first_zero(distance *one, double from, double to, double part)
 {
     const double shortest = ldexp(part, -HALVES);
-    double h = part;
-    point a = at(one, from);
-    if (is_out(&a)) {
-        if (a.rate <= 0.0) {
-            return from;
-        }
-        a.value = 0.0; /* it has just come in */
+    double a = from;
+    double reach = part;
+    if (!(value_of(one, from) > 0.0) && one->rate <= 0.0) {
+        return from;
     }
-    while (a.t < to && one->status == LAG_OK) {
-        const double end = fmin(a.t + h, to);
-        const point m = at(one, a.t + 0.5 * (end - a.t));
-        const point b = at(one, end);
-        const double size = fmax(fmax(fabs(a.value), fabs(m.value)), fabs(b.value));
-        const double off = misfit(&a, &m, &b);
-        /* after a division by zero no cubic fits, however short the step: there is nothing to look for */
-        const int infinite = is_infinite(&a) && is_infinite(&m) && is_infinite(&b);
-        int unclear = !infinite && !(off <= OFF * size);
-        if (!infinite && (!unclear || h <= shortest)) {
-            double zero = zero_in(one, &a, &m, off, &unclear);
-            zero = zero < (double)INFINITY ? zero : zero_in(one, &m, &b, off, &unclear);
-            if (zero < (double)INFINITY) {
-                return zero;
-            }
+    while (a < to && one->status == LAG_OK) {
+        double t[LAG_PIECE_SAMPLES];
+        double values[LAG_PIECE_SAMPLES];
+        const double w = fmin(reach, to - a);
+        for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
+            t[k] = k < LAG_LAST_SAMPLE ? a + w * LAG_SAMPLE_PLACES[k] : w < reach ? to : a + w;
+            values[k] = value_of(one, t[k]);
         }
-        if (unclear && h > shortest) {
-            h *= 0.5;
-            continue;
+        const double doubt = lag_piece_doubt(values);
+        const int known = !(doubt > LAG_KNOWN_PART) || w <= shortest;
+        const double zero = known ? zero_in(one, t, values, a == from) : (double)INFINITY;
+        if (zero < (double)INFINITY) {
+            return zero;
         }
-        a = b;
-        h = fmin(2.0 * h, part);
+        a = known ? t[LAG_LAST_SAMPLE] : a;
+        reach = known ? fmin(part, lag_piece_length(w, doubt)) : fmax(shortest, 0.5 * w);
     }
     return (double)INFINITY;
 }
@@ -185,16 +137,13 @@ static double first_zero(distance *one, double from, double to, double part)
 /* The zero of an affine distance after time t. */
 static double affine_zero(distance *one, double t)
 {
-    const point a = at(one, t);
-    const double guess = t - a.value / a.rate;
-    if (!(a.rate < 0.0) || guess == (double)INFINITY) {
+    const double value = value_of(one, t);
+    const double rate = one->rate;
+    const double guess = t - value / rate;
+    if (!(rate < 0.0) || guess == (double)INFINITY) {
         return (double)INFINITY;
     }
-    if (!(guess > t)) {
-        return t;
-    }
-    const double value = value_of(one, guess);
-    return fmax(t, guess - value / a.rate);
+    return guess > t ? fmax(t, guess - value_of(one, guess) / rate) : t;
 }
 
 double lag_timed_next(const lag_timed *timed)
