@@ -127,7 +127,7 @@ lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const doubl
         *lag_contacts_flag(contacts, i) = contacts->blows.before[i] != 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
     lag_status status = lag_contacts_open(contacts, t, x);
-    if (contacts->blows.struck == 0 || status != LAG_OK) {
+    if (!lag_any(count, contacts->blows.approach) || status != LAG_OK) {
         return status;
     }
     status = lag_contacts_evaluate_at(contacts, t, x);

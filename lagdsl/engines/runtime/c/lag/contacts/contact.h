@@ -24,9 +24,7 @@ typedef struct lag_blows {
     lag_inequalities rows;   /* of one of them */
     double *met;             /* (ncontact) contacts that were located as closing at this instant: they touch, wherever a projection moves their gaps */
     double *closing;         /* (ncontact) */
-    double *approach;        /* (ncontact) speed at the first impact, zero without, */
-    double *order;           /* (ncontact) those that struck, in the order in which they did, */
-    size_t struck;           /* so many, */
+    double *approach;        /* (ncontact) speed at the first impact, zero without */
     double *before;          /* (ncontact) which contacts were closed before them */
     double *compliance;      /* (ncontact) what a unit impulse of each adds to its own speed, of the last blow in which it took part */
     double *back;            /* (ncontact) accelerations of gaps while they are open */

@@ -57,7 +57,6 @@ static void add_closing(lag_contacts *contacts)
             lag_contacts_add_to_blow(contacts, i, contacts->restitution[i]);
             if (contacts->blows.approach[i] == 0.0) {
                 contacts->blows.approach[i] = contacts->speed[i];
-                contacts->blows.order[contacts->blows.struck++] = (double)i;
             }
         }
     }
@@ -137,7 +136,7 @@ static lag_status solve_impacts(lag_contacts *contacts, double t, double *x, con
         if (status != LAG_OK || (!strikes && !driven)) {
             return status;
         }
-        status = strikes && contacts->blows.struck == 0 ? release(contacts, t, x) : LAG_OK;
+        status = strikes && !lag_any(contacts->motion->model->ncontact, contacts->blows.approach) ? release(contacts, t, x) : LAG_OK;
         status = status == LAG_OK ? gather(contacts, struck ? collision : NULL, restitution) : status;
         status = status == LAG_OK ? lag_impulse_impact(contacts->impulse, t, x, &contacts->blows.rows) : status;
         if (status != LAG_OK) {
@@ -177,7 +176,6 @@ lag_status lag_contacts_impact(
     lag_contacts *contacts, double t, double *x, const double *collision, const double *restitution)
 {
     const size_t count = contacts->motion->model->ncontact;
-    contacts->blows.struck = 0;
     memset(contacts->blows.approach, 0, count * sizeof(double));
     memcpy(contacts->blows.before, lag_contacts_flag(contacts, 0), count * sizeof(double));
     const lag_status status = solve_impacts(contacts, t, x, collision, restitution);

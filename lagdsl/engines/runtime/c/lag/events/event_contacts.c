@@ -6,22 +6,6 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
-lag_status lag_instants_report_contact(const lag_instants *instants, double t, const double *x, lag_event_kind what, size_t i)
-{
-    instants->contacts.until[i] = (double)INFINITY;
-    return lag_instants_report(instants, t, x, what, i);
-}
-
-/* Reports that a contact has opened or closed, if it has; one that is held for the rest of its bounces closes at their end. */
-static lag_status report_mode(const lag_instants *instants, double t, const double *x, size_t i)
-{
-    const lag_contacts *contacts = &instants->contacts;
-    const int before = contacts->blows.before[i] != 0.0;
-    const int now = *lag_contacts_flag(contacts, i) != 0.0;
-    const int bounces = now && contacts->until[i] < (double)INFINITY;
-    return before == now || bounces ? LAG_OK : lag_instants_report_contact(instants, t, x, now ? LAG_CLOSED : LAG_OPENED, i);
-}
-
 /* Modes of contacts that are closed, or have met without approach speed, and of friction. */
 static lag_status find_modes(lag_instants *instants, double t, const double *x)
 {
@@ -36,26 +20,17 @@ static lag_status find_modes(lag_instants *instants, double t, const double *x)
 
 lag_status lag_instants_impact(lag_instants *instants, double t, double *x, const double *collision, int *acted)
 {
-    const lag_contacts *contacts = &instants->contacts;
+    const lag_blows *blows = &instants->contacts.blows;
+    const size_t count = instants->motion->model->ncontact;
     const size_t frictions = instants->motion->model->nfriction + instants->motion->model->nslip;
     const double *modes = instants->motion->w + instants->motion->places.sticks;
     memcpy(instants->leaving.frictions, modes, frictions * sizeof(double));
     lag_status status = lag_contacts_impact(&instants->contacts, t, x, collision, instants->clauses.restitution);
-    instants->modes.jumped = instants->modes.jumped || contacts->blows.struck > 0 ||
-        (collision != NULL && lag_any(instants->motion->model->ncollision, collision));
+    const int struck = lag_any(count, blows->approach);
+    instants->modes.jumped = instants->modes.jumped || struck || (collision != NULL && lag_any(instants->motion->model->ncollision, collision));
     status = status == LAG_OK ? find_modes(instants, t, x) : status;
-    int any = contacts->blows.struck > 0 || !lag_same(frictions, instants->leaving.frictions, modes);
-    for (size_t k = 0; k < contacts->blows.struck && status == LAG_OK; ++k) {
-        const size_t i = (size_t)contacts->blows.order[k];
-        status = lag_instants_report(instants, t, x, LAG_IMPACT, i);
-        status = status == LAG_OK ? report_mode(instants, t, x, i) : status;
-    }
-    for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
-        if (contacts->blows.approach[i] == 0.0) {
-            any = any || (contacts->blows.before[i] != 0.0) != (*lag_contacts_flag(contacts, i) != 0.0);
-            status = report_mode(instants, t, x, i);
-        }
-    }
+    const int any = struck || !lag_same(frictions, instants->leaving.frictions, modes) ||
+        !lag_same(count, blows->before, instants->motion->w + instants->motion->places.contact);
     *acted = *acted || any;
     instants->instant.acted = instants->instant.acted || any;
     return status == LAG_OK && any ? lag_projection_rates(instants->projection, t, x, NULL) : status;
@@ -70,7 +45,7 @@ lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         closed[i] *= contacts->speed[i] >= -lag_contacts_speed_band(contacts, i);
     }
-    return status == LAG_OK ? lag_instants_open(instants, t, x) : status;
+    return status == LAG_OK ? lag_contacts_open(contacts, t, x) : status;
 }
 
 lag_status lag_instants_change_contacts(lag_instants *instants, double t, double *x, const double *changed)

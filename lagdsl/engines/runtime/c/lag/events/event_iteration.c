@@ -111,18 +111,6 @@ static lag_status reset(lag_instants *instants, double t, double *x, int *any)
     return status == LAG_OK && conflict ? LAG_CONFLICT : status;
 }
 
-lag_status lag_instants_open(lag_instants *instants, double t, const double *x)
-{
-    const size_t count = instants->motion->model->ncontact;
-    const double *closed = instants->motion->w + instants->motion->places.contact;
-    memcpy(instants->trial.closed, closed, count * sizeof(double));
-    lag_status status = lag_contacts_open(&instants->contacts, t, x);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        status = instants->trial.closed[i] != closed[i] ? lag_instants_report_contact(instants, t, x, LAG_OPENED, i) : LAG_OK;
-    }
-    return status;
-}
-
 /* Failures, ends and resets of one pass. */
 static lag_status act(lag_instants *instants, double t, double *x, int *acted)
 {
@@ -148,7 +136,7 @@ static lag_status act(lag_instants *instants, double t, double *x, int *acted)
     if (*acted) {
         lag_modes_release_frictions(&instants->modes);
     }
-    return status == LAG_OK && *acted ? lag_instants_open(instants, t, x) : status;
+    return status == LAG_OK && *acted ? lag_contacts_open(&instants->contacts, t, x) : status;
 }
 
 /* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
@@ -285,6 +273,26 @@ static int positions_jump(const lag_instants *instants, double t, const double *
     return 0;
 }
 
+/* Contacts that struck, or are in another mode than before the instant. One that is held for the rest of its bounces closes at their end. */
+static lag_status report_contacts(lag_instants *instants, double t, const double *x)
+{
+    const lag_places *places = &instants->motion->places;
+    const double *stood = instants->instant.stood;
+    const double *w = instants->motion->w;
+    lag_status status = LAG_OK;
+    for (size_t i = 0; i < instants->motion->model->ncontact && status == LAG_OK; ++i) {
+        double *until = &instants->contacts.until[i];
+        const int closed = w[places->contact + i] != 0.0;
+        const int changes = closed != (stood[places->contact + i] != 0.0);
+        *until = closed ? *until : (double)INFINITY;
+        status = w[places->impacts + i] != stood[places->impacts + i] ? lag_instants_report(instants, t, x, LAG_IMPACT, i) : LAG_OK;
+        if (status == LAG_OK && changes && *until == (double)INFINITY) {
+            status = lag_instants_report(instants, t, x, closed ? LAG_CLOSED : LAG_OPENED, i);
+        }
+    }
+    return status;
+}
+
 /* Friction that is in another mode than before the instant. One that was off, or is, tells nothing: its contact does. */
 static lag_status report_frictions(lag_instants *instants, double t, const double *x)
 {
@@ -314,7 +322,8 @@ lag_status lag_instants_run(lag_instants *instants, double t, double *x, const d
         memcpy(instants->discretes.before, w, model->nw * sizeof(double));
         status = pass(instants, t, x, relations, &acted);
         if (status == LAG_OK && !acted && is_unchanged(instants)) {
-            return positions_jump(instants, t, x) ? LAG_POSITION_JUMP : report_frictions(instants, t, x);
+            status = positions_jump(instants, t, x) ? LAG_POSITION_JUMP : report_contacts(instants, t, x);
+            return status == LAG_OK ? report_frictions(instants, t, x) : status;
         }
     }
     if (status != LAG_OK) {
@@ -343,7 +352,7 @@ lag_status lag_instants_check_positions(lag_instants *instants, double t, const 
     const double *stood = instants->instant.from + 2 * model->nq;
     const double *was = with_states(instants, x, stood);
     double *pierced = instants->discretes.guilty + instants->motion->places.contact;
-    lag_status status = lag_contacts_check_gaps(&instants->contacts, t, x, was, instants->instant.stood, instants->trial.pulling, pierced);
+    lag_status status = lag_contacts_check_gaps(&instants->contacts, t, x, was, instants->instant.stood, instants->trial.gap, pierced);
     if (status != LAG_OK || model->nway == 0) {
         return status;
     }

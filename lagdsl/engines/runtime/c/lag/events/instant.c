@@ -20,7 +20,7 @@ static void place_iteration(lag_instants *instants, const lag_model *model, lag_
     instants->trial.states = lag_lay(layout, model->nz);
     lag_lay_all(layout, model->nindicator, (double **const[]){&instants->sides.now, &instants->sides.side, &instants->sides.before,
         &instants->sides.truth, NULL});
-    lag_lay_all(layout, model->ncontact, (double **const[]){&instants->trial.closed, &instants->trial.pulling, NULL});
+    instants->trial.gap = lag_lay(layout, model->ncontact);
     instants->leaving.flags = lag_lay(layout, model->ncontact + model->nfriction);
     instants->leaving.frictions = lag_lay(layout, model->nfriction + model->nslip);
     instants->instant.moment = 1e-9;
@@ -190,6 +190,7 @@ lag_status lag_instants_end(lag_instants *instants, double t, double *x)
     if (instants->motion->places.terminal == instants->motion->model->nw) {
         return LAG_OK;
     }
+    remember(instants, x);
     instants->motion->w[instants->motion->places.terminal] = 1.0;
     return run(instants, t, x, NULL, NULL);
 }
@@ -211,6 +212,7 @@ static lag_status keep_with(lag_instants *instants, double t, const double *x, c
 lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, const double *before, int blow)
 {
     int jumped = 0;
+    remember(instants, x);
     lag_status status = keep_with(instants, t, x, before);
     if (status == LAG_OK) {
         status = lag_impulse_balance(&instants->impulse, t, x, NULL, NULL, &jumped);
@@ -219,7 +221,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, c
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
     }
-    status = lag_instants_open(instants, t, x);
+    status = lag_contacts_open(&instants->contacts, t, x);
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 

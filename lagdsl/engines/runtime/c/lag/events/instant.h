@@ -57,7 +57,7 @@ typedef struct lag_sides {
 typedef struct lag_trial {
     double *point;         /* (2 nq + nz) */
     double *states;        /* (nz) before the clauses of this pass set them */
-    double *closed, *pulling; /* (ncontact) */
+    double *gap;           /* (ncontact) */
 } lag_trial;
 
 /* Contacts and friction of which the modes are to be found. */
@@ -161,9 +161,6 @@ lag_status lag_instants_conditions(lag_instants *instants, double t, const doubl
  */
 lag_status lag_instants_run(lag_instants *instants, double t, double *x, const double *relations, const double *sides);
 
-/* Closed contacts that rates of now move apart open. */
-lag_status lag_instants_open(lag_instants *instants, double t, const double *x);
-
 /*
  * A relation has turned: closed contacts whose gap has a corner there, as a valley has, open where it leads them apart, and meet the other
  * side by the law of impact where it does not.
@@ -205,9 +202,6 @@ lag_status lag_instants_relations(lag_instants *instants, double t, const double
  * (flags, or null).
  */
 lag_status lag_instants_sides(lag_instants *instants, double t, const double *x, const double *turned);
-
-/* A contact has opened, or closed. A rest that was announced for later is canceled. */
-lag_status lag_instants_report_contact(const lag_instants *instants, double t, const double *x, lag_event_kind what, size_t i);
 
 /* Impacts, those of clauses (ncollision flags, or null) first, and what they did; 1 in `acted` where there were any. */
 lag_status lag_instants_impact(lag_instants *instants, double t, double *x, const double *collision, int *acted);

@@ -91,7 +91,6 @@ static void record_instants(lag_instants *instants, lag_record *record)
 {
     RECORD(instants->contacts.length);
     RECORD(instants->contacts.flight);
-    RECORD(instants->contacts.blows.struck);
     RECORD(instants->timed.length);
     RECORD(instants->timed.next);
     RECORD(instants->timed.shown);
