@@ -238,17 +238,18 @@ static lag_status change_with_time(lag_instants *instants, double t, double *x, 
     return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, NULL, jumped) : status;
 }
 
-/* Reports the changes with time. */
-static lag_status report_time_events(lag_instants *instants, double t, const double *x)
+/* What time has changed, and relations that have turned so far. */
+static lag_status report_turns(lag_instants *instants, double t, const double *x)
 {
     const lag_model *model = instants->motion->model;
-    const lag_timed *timed = &instants->timed;
-    const double *w = instants->motion->w + instants->motion->places.timed;
+    const double *now = instants->motion->w + instants->motion->places.relation;
+    const double *before = instants->instant.stood + instants->motion->places.relation;
     lag_status status = LAG_OK;
-    for (size_t i = 0; i < model->ntimed && status == LAG_OK; ++i) {
-        if (timed->told[i] != 0.0 && w[i] != timed->before[i]) {
-            const lag_event_kind truth = w[i] != 0.0 ? LAG_TRUE : LAG_FALSE;
-            status = lag_instants_report(instants, t, x, timed->told[i] == 1.0 ? truth : LAG_JUMP, model->nindicator + i);
+    for (size_t k = 0; k < model->ntimed + model->nindicator && status == LAG_OK; ++k) {
+        const size_t i = k < model->ntimed ? model->nindicator + k : k - model->ntimed;
+        const double told = i < model->nindicator ? 1.0 : instants->timed.told[i - model->nindicator];
+        if (told != 0.0 && now[i] != before[i]) {
+            status = lag_instants_report(instants, t, x, told != 1.0 ? LAG_JUMP : now[i] != 0.0 ? LAG_TRUE : LAG_FALSE, i);
         }
     }
     return status;
@@ -286,31 +287,19 @@ static lag_status carry_out_due(lag_instants *instants, double t, double *x)
     lag_status status = due ? change_with_time(instants, t, x, &jumped) : LAG_OK;
     status = status == LAG_OK ? report_rest(instants, t, x) : status;
     status = status == LAG_OK ? tick_clocks(instants, t, x) : status;
-    if (status == LAG_OK && due) {
-        status = report_time_events(instants, t, x);
-        instants->timed.next = (double)INFINITY;
-    }
+    instants->timed.next = due ? (double)INFINITY : instants->timed.next;
     return status;
 }
 
 /* A relation changes at an event. */
 static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
 {
-    const double *truth = instants->motion->w + instants->motion->places.relation;
     int refracted = 0;
     int back = 0;
     lag_status status = lag_instants_cross(instants, t, x, i, &refracted, &back);
     instants->instant.acted = instants->instant.acted || refracted;
     instants->modes.jumped = 1;
-    if (status == LAG_OK && !back) {
-        status = lag_instants_turn_gaps(instants, t, x);
-    }
-    for (size_t k = 0; k < instants->motion->model->nindicator && status == LAG_OK && !back; ++k) {
-        if (k == i || (refracted && truth[k] != instants->refraction.truth[k])) {
-            status = lag_instants_report(instants, t, x, truth[k] != 0.0 ? LAG_TRUE : LAG_FALSE, k);
-        }
-    }
-    return status;
+    return status == LAG_OK && !back ? lag_instants_turn_gaps(instants, t, x) : status;
 }
 
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int located, int ticks)
@@ -328,6 +317,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
         }
     }
     instants->leaving.turned = any || ticks;
+    status = status == LAG_OK ? report_turns(instants, t, x) : status;
     if (status == LAG_OK) {
         status = run(instants, t, x, changed, changed + model->nindicator);
     }
