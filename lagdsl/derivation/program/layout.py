@@ -56,6 +56,7 @@ def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instan
     names = tuple(f"der({reset.name})" if reset.rate else reset.name for reset in resets)
     return Instants(
         strict=tuple(relation.strict for relation in flat.events.relations),
+        jumping=_jumping(flat),
         whole_inputs=whole if any(whole) else (),
         contact_rows=tuple(named.index(contact.name) for contact in flat.events.contacts),
         one_way=one_way if any(one_way) else (),
@@ -71,6 +72,19 @@ def _instants(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> Instan
         stops=tuple(action.message for action in actions if isinstance(action, Terminate)),
         failures=tuple(action.message for action in actions if isinstance(action, Check)),
     )
+
+
+def _jumping(flat: FlatModel) -> tuple[bool, ...]:
+    """Relations that energies, masses or rows of constraints read, and those that such relations read."""
+    dependence = Dependence(flat)
+    lasting = [x for each in flat.constraints if not (each.contact or each.friction) for x in each.residuals]
+    read = dependence.of_mechanism().merged(dependence.of_all(lasting)) if flat.events.relations else ()
+    found = set(read)
+    unread = list(flat.events.relations)
+    while inner := [each for each in unread if each.name in found]:
+        found.update(dependence.of_all(each.difference for each in inner))
+        unread = [each for each in unread if each not in inner]
+    return tuple(each.name in found for each in flat.events.relations)
 
 
 def _friction_rows(flat: FlatModel, rows: Sequence[tuple[str, Constraint]]) -> tuple[int, ...]:

@@ -29,7 +29,8 @@ class Slot:
 class Instants:
     """Events, in the order of the results of `indicator`, `contact` and `event`.
 
-    `strict` flags relations that do not hold at zero, `whole_inputs` inputs that are no Reals, empty where all are.
+    `strict` flags relations that do not hold at zero, `jumping` those with which energies or rows of constraints may
+    jump, `whole_inputs` inputs that are no Reals, empty where all are.
     `contact_rows` are rows of constraints; `one_way` flags contacts of rates, empty where none is. `frictions` are
     names, `friction_rows` rows of constraints, one or two of each friction as `friction_slips` tells;
     `friction_contacts` are the contacts under which they act, the number of contacts where there is none.
@@ -38,6 +39,7 @@ class Instants:
     """
 
     strict: tuple[bool, ...] = ()
+    jumping: tuple[bool, ...] = ()
     whole_inputs: tuple[bool, ...] = ()
     contact_rows: tuple[int, ...] = ()
     one_way: tuple[bool, ...] = ()

@@ -23,7 +23,7 @@ def _evaluated(results: int) -> Any:
     return CFUNCTYPE(c_int, POINTER(Arguments), *[_Numbers] * results)
 
 
-VERSION = 12
+VERSION = 13
 
 # lag_event_kind.
 _WHAT = "before tick true false opened closed impact reinit terminate after jump slips sticks reverses warning"
@@ -146,7 +146,7 @@ class Model(Structure):
         *_all(c_void_p, "kept_rows"),
         *_all(c_size_t, "nindicator ncontact ngap nclock nreset ncollision nstop nfail ntimed ndistance"),
         *_all(c_size_t, "ncorner nway nturn ndelay nslip nfriction nload"),
-        *_all(c_void_p, "kinds strict whole_inputs contact_rows one_way frictions friction_rows"),
+        *_all(c_void_p, "kinds strict jumping whole_inputs contact_rows one_way frictions friction_rows"),
         *_all(c_void_p, "friction_slips friction_contacts"),
         *_all(c_size_t, "nswitched"),
         *_all(c_void_p, "switched_rows reset_places resets stops failures"),

@@ -131,7 +131,7 @@ class Dependence:
             self._by_name[key] = orders
         return self._by_name[key]
 
-    def _of_mechanism(self) -> Orders:
+    def of_mechanism(self) -> Orders:
         """Of the forces that masses, bodies and energies require, with accelerations that are given."""
         key = ("", "mechanism")
         if key not in self._by_name:
@@ -169,7 +169,7 @@ class Dependence:
             case fx.Previous() | fx.Mechanical() | fx.Motion():
                 return self.of_all(operands(expression))
             case fx.RequiredForce(motion):
-                return self.of(motion).merged(self._of_mechanism())
+                return self.of(motion).merged(self.of_mechanism())
             case _:
                 assert_never(expression)
 

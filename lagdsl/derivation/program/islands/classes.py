@@ -188,6 +188,7 @@ def _instants(whole: Instants, layout: Layout, island: Island, code: Code) -> In
     whole_inputs = tuple(whole.whole_inputs[k] for k in code.inputs) if whole.whole_inputs else ()
     return Instants(
         strict=tuple(whole.strict[k] for k in island.places["nindicator"].tolist()),
+        jumping=tuple(whole.jumping[k] for k in island.places["nindicator"].tolist()),
         whole_inputs=whole_inputs if any(whole_inputs) else (),
         contact_rows=tuple(rows[row] for row in listed("ncontact", whole.contact_rows)),
         one_way=flags("ncontact", whole.one_way),

@@ -175,6 +175,7 @@ def _instant_tables(layout: Layout) -> dict[str, tuple[str, list[str]]]:
     return {
         "kinds": ("unsigned char", [_kind(layout, index) for index in range(len(layout.kinds))]),
         "strict": ("unsigned char", [str(int(flag)) for flag in instants.strict]),
+        "jumping": ("unsigned char", [str(int(flag)) for flag in instants.jumping]),
         "whole_inputs": ("unsigned char", [str(int(flag)) for flag in instants.whole_inputs]),
         "contact_rows": ("size_t", [str(row) for row in instants.contact_rows]),
         "one_way": ("unsigned char", [str(int(flag)) for flag in instants.one_way]),

@@ -27,7 +27,7 @@ from lagdsl.foundation.record import record
 from lagdsl.language.flat.events import INITIAL
 
 _DIRECTIONS: Final = mask_of(DIRECTION_OF.values())
-VERSION: Final = 14
+VERSION: Final = 15
 _MAGIC: Final = b"lagtape\n"
 _NOWHERE: Final = 0xFFFFFFFF
 _KINDS: Final = (
@@ -226,6 +226,7 @@ def _tables(program: Program) -> list[bytes]:
         bytes(layout.redundant),
         bytes(kinds),
         bytes(instants.strict),
+        bytes(instants.jumping),
         bytes(instants.whole_inputs),
         bytes(instants.one_way),
         _words(program.kept_rows),

@@ -88,6 +88,7 @@ class Callbacks:
             "redundant": (np.uint8, layout.redundant),
             "kinds": (np.uint8, [kind_number(layout, index) for index in range(len(layout.kinds))]),
             "strict": (np.uint8, instants.strict),
+            "jumping": (np.uint8, instants.jumping),
             "contact_rows": (np.uintp, instants.contact_rows),
             "friction_rows": (np.uintp, instants.friction_rows),
             "friction_slips": (np.uintp, instants.friction_slips),

@@ -13,7 +13,7 @@
 
 #include "lag/status.h"
 
-#define LAG_MODEL_VERSION 12u
+#define LAG_MODEL_VERSION 13u
 
 /* One entry of an array. */
 typedef struct lag_slot {
@@ -366,6 +366,7 @@ typedef struct lag_model {
     size_t nload;   /* of models with loads that depend on accelerations or multipliers */
     const unsigned char *kinds;  /* (nw) a lag_kind each, in their order */
     const unsigned char *strict; /* (nindicator) 0: the relation holds where its indicator is zero, too */
+    const unsigned char *jumping; /* (nindicator) 1: energies or rows of constraints may jump with the relation; null: with any */
     const unsigned char *whole_inputs; /* (nu) 1: Integer, Boolean or enumerated, without round-off; null: none is */
     const size_t *contact_rows;  /* (ncontact) rows of constraints that hold while they are closed; with their names */
     const unsigned char *one_way;    /* (ncontact) 1: of a rate in place of a gap; null: none is */

@@ -15,7 +15,7 @@
 #include "lag/model.h"
 #include "lag/parallel.h"
 
-#define LAG_TAPE_VERSION 14u
+#define LAG_TAPE_VERSION 15u
 
 /* The sections, with the type of their entries. */
 typedef enum lag_tape_section {
@@ -26,6 +26,7 @@ typedef enum lag_tape_section {
     LAG_TAPE_REDUNDANT,      /* bytes (nc) */
     LAG_TAPE_KINDS,          /* bytes (nw) */
     LAG_TAPE_STRICT,         /* bytes (nindicator) */
+    LAG_TAPE_JUMPING,        /* bytes (nindicator) */
     LAG_TAPE_WHOLE_INPUTS,   /* bytes (nu), or nothing */
     LAG_TAPE_ONE_WAY,        /* bytes (ncontact), or nothing */
     LAG_TAPE_KEPT_ROWS,      /* uint32 (nk) */

@@ -91,11 +91,8 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
     memcpy(r->other, truth, model->nindicator * sizeof(double));
 }
 
-/*
- * Evaluates this side, then the other one, with its energy in *after, and the size of both energies; 1 in *differ: they are not the same. Most
- * relations are in forces only.
- */
-static lag_status compare_sides(lag_refraction *r, double t, const double *x, size_t which, lag_side *side, double *after, double *size, int *differ)
+/* Evaluates this side, then the other one, with its energy in *after, and the size of both energies. */
+static lag_status compare_sides(lag_refraction *r, double t, const double *x, size_t which, lag_side *side, double *after, double *size)
 {
     const lag_model *model = r->motion->model;
     const lag_impulse *impulse = r->impulse;
@@ -108,8 +105,6 @@ static lag_status compare_sides(lag_refraction *r, double t, const double *x, si
     status = status == LAG_OK ? evaluate_side(r, t, x, after, &other) : status;
     set_relations(r, r->truth);
     *size = fmax(*size, other);
-    *differ = side->energy != *after || !lag_same(model->nq, r->before, impulse->now) || !lag_same(model->nc, r->speeds, impulse->residual) ||
-        !lag_same(model->nc * model->nq, r->rows, impulse->jacobian);
     return status;
 }
 
@@ -302,10 +297,11 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
     lag_side side = {.sense = truth[which] == 0.0 ? 1.0 : -1.0};
     double after = 0.0;
     double size = 0.0;
-    int differ = 0;
+    const unsigned char *jumping = motion->model->jumping;
+    const int may_jump = motion->model->energies != NULL && (jumping == NULL || jumping[which] != 0); /* most relations are in forces only */
     *refracted = *back = 0;
-    lag_status status = motion->model->energies != NULL ? compare_sides(r, t, x, which, &side, &after, &size, &differ) : LAG_OK;
-    if (status != LAG_OK || !differ) { /* without energies nothing is known of one that jumps */
+    lag_status status = may_jump ? compare_sides(r, t, x, which, &side, &after, &size) : LAG_OK;
+    if (status != LAG_OK || !may_jump) {
         return status;
     }
     lag_noise_find(r->noise, t, x);

@@ -158,6 +158,7 @@ static void give_tables(lag_tape *tape, const lag_tape_parts *parts, unsigned ch
     model->redundant = section(parts, LAG_TAPE_REDUNDANT);
     model->kinds = section(parts, LAG_TAPE_KINDS);
     model->strict = section(parts, LAG_TAPE_STRICT);
+    model->jumping = section(parts, LAG_TAPE_JUMPING);
     model->whole_inputs = section(parts, LAG_TAPE_WHOLE_INPUTS);
     model->one_way = section(parts, LAG_TAPE_ONE_WAY);
 }

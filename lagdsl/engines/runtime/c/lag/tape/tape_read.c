@@ -142,6 +142,7 @@ static int sizes_agree(const lag_tape_parts *parts)
            holds(parts, LAG_TAPE_DEFAULTS, n[LAG_TAPE_NP], sizeof(double)) &&
            holds(parts, LAG_TAPE_POSITION_LEVEL, n[LAG_TAPE_NC], 1) && holds(parts, LAG_TAPE_REDUNDANT, n[LAG_TAPE_NC], 1) &&
            holds(parts, LAG_TAPE_KINDS, n[LAG_TAPE_NW], 1) && holds(parts, LAG_TAPE_STRICT, n[LAG_TAPE_NINDICATOR], 1) &&
+           holds(parts, LAG_TAPE_JUMPING, n[LAG_TAPE_NINDICATOR], 1) &&
            may_hold(parts, LAG_TAPE_WHOLE_INPUTS, n[LAG_TAPE_NU], 1) && holds(parts, LAG_TAPE_KEPT_ROWS, n[LAG_TAPE_NK], word) &&
            holds(parts, LAG_TAPE_CONTACT_ROWS, n[LAG_TAPE_NCONTACT], word) &&
            may_hold(parts, LAG_TAPE_ONE_WAY, n[LAG_TAPE_NCONTACT], 1) &&
