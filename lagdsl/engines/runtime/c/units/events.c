@@ -67,10 +67,8 @@
 #undef take_values
 
 #define remember instant_remember
-#define turn_relation instant_turn_relation
 #include "lag/events/instant.c"
 #undef remember
-#undef turn_relation
 
 #define count_of noise_count_of
 #include "lag/events/noise.c"
@@ -79,12 +77,10 @@
 #define MOST_STEPS refraction_MOST_STEPS
 #define NEAR refraction_NEAR
 #define find_rates refraction_find_rates
-#define turn_relation refraction_turn_relation
 #include "lag/events/refraction.c"
 #undef MOST_STEPS
 #undef NEAR
 #undef find_rates
-#undef turn_relation
 
 #define AGAIN timed_AGAIN
 #define HALVES timed_HALVES

@@ -23,15 +23,19 @@ lag_status lag_instants_impact(lag_instants *instants, double t, double *x, cons
     const lag_blows *blows = &instants->contacts.blows;
     const size_t count = instants->motion->model->ncontact;
     const size_t frictions = instants->motion->model->nfriction + instants->motion->model->nslip;
+    const int collides = collision != NULL && lag_any(instants->motion->model->ncollision, collision);
     const double *modes = instants->motion->w + instants->motion->places.sticks;
+    if (!collides && count + frictions == 0) {
+        return LAG_OK;
+    }
     memcpy(instants->leaving.frictions, modes, frictions * sizeof(double));
     lag_status status = lag_contacts_impact(&instants->contacts, t, x, collision, instants->clauses.restitution);
     const int struck = lag_any(count, blows->approach);
-    instants->modes.jumped = instants->modes.jumped || struck || (collision != NULL && lag_any(instants->motion->model->ncollision, collision));
+    instants->modes.jumped = instants->modes.jumped || struck || collides;
     status = status == LAG_OK ? find_modes(instants, t, x) : status;
     const int any = struck || !lag_same(frictions, instants->leaving.frictions, modes) ||
         !lag_same(count, blows->before, instants->motion->w + instants->motion->places.contact);
-    *acted = *acted || any;
+    *acted = *acted || any || collides;
     instants->instant.acted = instants->instant.acted || any;
     return status == LAG_OK && any ? lag_projection_rates(instants->projection, t, x, NULL) : status;
 }

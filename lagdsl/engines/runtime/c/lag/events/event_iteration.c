@@ -68,20 +68,6 @@ lag_status lag_instants_conditions(lag_instants *instants, double t, const doubl
     return status;
 }
 
-/* ---- contacts ---- */
-
-/* Impacts of clauses, and contacts that something drives in now. */
-static lag_status solve_impacts(lag_instants *instants, double t, double *x, int *acted)
-{
-    const lag_model *model = instants->motion->model;
-    const int any = lag_any(model->ncollision, instants->clauses.collision);
-    if (!any && model->ncontact == 0 && model->nfriction == 0) {
-        return LAG_OK;
-    }
-    *acted = *acted || any;
-    return lag_instants_impact(instants, t, x, instants->clauses.collision, acted);
-}
-
 /* ---- clauses ---- */
 
 /* Resets of one pass into x; 1 in `held`: this one. */
@@ -200,17 +186,21 @@ static lag_status balance(lag_instants *instants, double t, double *x)
     return status == LAG_OK ? lag_impulse_balance(&instants->impulse, t, x, NULL, NULL, &jumped) : status;
 }
 
-lag_status lag_instants_cross(lag_instants *instants, double t, double *x, size_t which, int *refracted, int *back)
+lag_status lag_instants_turn(lag_instants *instants, double t, double *x, size_t which, int *acted)
 {
     double *truth = instants->motion->w + instants->motion->places.relation;
     const int located = instants->sides.located != NULL && instants->sides.located[which] != 0.0;
-    const double moment = located ? (double)INFINITY : instants->instant.moment;
-    const lag_status status = lag_refraction_cross(&instants->refraction, t, x, which, moment, refracted, back);
-    truth[which] = *back ? truth[which] : 1.0 - truth[which];
+    int refracted = 0;
+    int back = 0;
+    lag_status status = lag_refraction_cross(&instants->refraction, t, x, which, located ? (double)INFINITY : instants->instant.moment, &refracted, &back);
+    truth[which] = back ? truth[which] : 1.0 - truth[which];
+    instants->modes.jumped = 1;
+    *acted = *acted || refracted;
     if (status == LAG_CHATTER) {
         instants->discretes.guilty[instants->motion->places.relation + which] = 1.0;
     }
-    return status == LAG_OK && *refracted ? balance(instants, t, x) : status;
+    status = status == LAG_OK && refracted ? balance(instants, t, x) : status;
+    return status == LAG_OK && !back ? lag_instants_turn_gaps(instants, t, x) : status;
 }
 
 /*
@@ -224,12 +214,9 @@ static lag_status turn(lag_instants *instants, double t, double *x, const double
     memcpy(instants->sides.truth, truth, count * sizeof(double));
     lag_status status = lag_instants_sides(instants, t, x, turned);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        int refracted = 0;
-        int back = 0;
         if (truth[i] != instants->sides.truth[i]) {
             truth[i] = instants->sides.truth[i];
-            status = lag_instants_cross(instants, t, x, i, &refracted, &back);
-            *acted = *acted || refracted;
+            status = lag_instants_turn(instants, t, x, i, acted);
         }
     }
     return status;
@@ -254,7 +241,7 @@ static lag_status pass(lag_instants *instants, double t, double *x, const double
         status = apply_constraints(instants, t, x, *acted);
     }
     if (status == LAG_OK) {
-        status = solve_impacts(instants, t, x, acted);
+        status = lag_instants_impact(instants, t, x, instants->clauses.collision, acted);
     }
     status = status == LAG_OK ? turn(instants, t, x, turned, acted) : status;
     instants->instant.acted = instants->instant.acted || *acted;

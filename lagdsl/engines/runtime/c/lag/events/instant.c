@@ -291,17 +291,6 @@ static lag_status carry_out_due(lag_instants *instants, double t, double *x)
     return status;
 }
 
-/* A relation changes at an event. */
-static lag_status turn_relation(lag_instants *instants, double t, double *x, size_t i)
-{
-    int refracted = 0;
-    int back = 0;
-    lag_status status = lag_instants_cross(instants, t, x, i, &refracted, &back);
-    instants->instant.acted = instants->instant.acted || refracted;
-    instants->modes.jumped = 1;
-    return status == LAG_OK && !back ? lag_instants_turn_gaps(instants, t, x) : status;
-}
-
 lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, double *changed, int located, int ticks)
 {
     const lag_model *model = instants->motion->model;
@@ -313,7 +302,7 @@ lag_status lag_instants_carry_out(lag_instants *instants, double t, double *x, d
     instants->sides.located = located ? changed : NULL;
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         if (changed[i] != 0.0 && truth[i] == instants->instant.stood[instants->motion->places.relation + i]) {
-            status = turn_relation(instants, t, x, i);
+            status = lag_instants_turn(instants, t, x, i, &instants->instant.acted);
         }
     }
     instants->leaving.turned = any || ticks;

@@ -174,10 +174,10 @@ lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double
 lag_status lag_instants_check_positions(lag_instants *instants, double t, const double *x);
 
 /*
- * Relation `which` turns, with what an energy that jumps there does: 1 in *refracted, rates have changed; 1 in *back, the motion turns back, and the
- * relation stays.
+ * Relation `which` turns, with what an energy that jumps there does: 1 in *acted, rates have changed. Where that turns the motion back the relation
+ * stays.
  */
-lag_status lag_instants_cross(lag_instants *instants, double t, double *x, size_t which, int *refracted, int *back);
+lag_status lag_instants_turn(lag_instants *instants, double t, double *x, size_t which, int *acted);
 
 /*
  * Of the relations flagged in `turned`, which come to zero at an instant at which laws change with time, those are left that turn by the laws from
