@@ -119,9 +119,7 @@ void lag_guards_place(lag_guards *guards, lag_motion *motion, lag_reserve *reser
         .reserve = reserve, .noise = noise, .time = (double)NAN};
     lag_lay_all(layout, count, (double **const[]){&guards->value, &guards->changed, &guards->depth, &guards->band, &guards->top, &guards->pieces.root,
         &guards->pieces.found, &guards->pieces.sought, NULL});
-    for (size_t k = 0; k < LAG_PIECE_SAMPLES; ++k) {
-        guards->pieces.seen[k] = lag_lay(layout, count);
-    }
+    guards->pieces.seen = lag_lay(layout, count * LAG_PIECE_SAMPLES);
     guards->pieces.when = lag_lay_filled(layout, model->nindicator, -(double)INFINITY);
     guards->swing = lag_lay_filled(layout, model->nindicator, (double)INFINITY);
     guards->doubted = lag_lay_filled(layout, model->nindicator, (double)INFINITY);
@@ -171,46 +169,38 @@ static int ends_at_zero(const lag_guards *guards, size_t i)
         (guards->motion->w[guards->motion->places.relation + i] != 0.0) == (model->strict[i] != 0);
 }
 
-/* True if guard i may have left its mode: its rounding error here is not known. */
-static int is_unclear(const lag_guards *guards, size_t i)
+/* True if guard i has left its mode, but for its rounding error. */
+static int may_have_left(const lag_guards *guards, size_t i)
 {
-    if (!is_sought(guards, i) || guards->band[i] != 0.0 || !lag_guards_has_noise(guards, i)) {
-        return 0;
-    }
     const double value = guards->value[i];
-    if (value > 0.0) {
-        return 0;
-    }
-    return -value > guards->depth[i] || ends_at_zero(guards, i);
-}
-
-/* Finds the rounding errors of guards that may have left their modes at x at time t; 0: there are none. */
-static int find_dead_bands(lag_guards *guards, double t, const double *x)
-{
-    const size_t count = lag_guards_count(guards);
-    for (size_t k = 0; k < count; ++k) {
-        guards->changed[k] = is_unclear(guards, k);
-    }
-    if (!lag_any(count, guards->changed)) {
-        return 0;
-    }
-    lag_noise_find(guards->noise, t, x);
-    for (size_t k = 0; k < count; ++k) {
-        guards->band[k] = guards->changed[k] != 0.0 ? fmax(DBL_MIN, lag_guards_noise(guards, k)) : guards->band[k];
-    }
-    return 1;
+    return is_sought(guards, i) && value <= 0.0 && (-value > guards->depth[i] || ends_at_zero(guards, i));
 }
 
 /* True if guard i has left its mode: it is below its dead band. */
 static int has_left(const lag_guards *guards, size_t i)
 {
-    const double value = guards->value[i];
-    if (value > 0.0) {
-        return 0;
-    }
     const double noise = lag_guards_has_noise(guards, i) ? guards->band[i] : lag_guards_noise(guards, i);
-    const int ends = ends_at_zero(guards, i) && guards->top[i] > LAG_CLEARLY * noise;
-    return -value > guards->depth[i] + noise || ends;
+    return -guards->value[i] > guards->depth[i] + noise || (ends_at_zero(guards, i) && guards->top[i] > LAG_CLEARLY * noise);
+}
+
+/* Finds the dead bands of guards that may have left at x at time t, where they are not known. */
+static lag_status find_dead_bands(lag_guards *guards, double t, const double *x)
+{
+    const size_t count = lag_guards_count(guards);
+    int any = 0;
+    for (size_t i = 0; i < count; ++i) {
+        any = any || (guards->changed[i] != 0.0 && guards->band[i] == 0.0 && lag_guards_has_noise(guards, i));
+    }
+    if (!any) {
+        return LAG_OK;
+    }
+    lag_noise_find(guards->noise, t, x);
+    for (size_t i = 0; i < count; ++i) {
+        if (guards->changed[i] != 0.0 && guards->band[i] == 0.0 && lag_guards_has_noise(guards, i)) {
+            guards->band[i] = fmax(DBL_MIN, lag_guards_noise(guards, i));
+        }
+    }
+    return evaluate(guards, t, x);
 }
 
 lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)
@@ -218,11 +208,12 @@ lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)
     const size_t count = lag_guards_count(guards);
     guards->time = t;
     lag_status status = evaluate(guards, t, x);
-    if (status == LAG_OK && find_dead_bands(guards, t, x)) {
-        status = evaluate(guards, t, x);
-    }
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        guards->changed[i] = is_sought(guards, i) && has_left(guards, i);
+        guards->changed[i] = may_have_left(guards, i);
+    }
+    status = status == LAG_OK ? find_dead_bands(guards, t, x) : status;
+    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
+        guards->changed[i] = guards->changed[i] != 0.0 && has_left(guards, i);
     }
     return status == LAG_OK && lag_any(count, guards->changed) ? LAG_EVENT_PENDING : status;
 }

@@ -23,8 +23,8 @@ typedef struct lag_corners {
 
 /* Values on pieces of a step, for those who look for the time of a change (run_scan.c). */
 typedef struct lag_pieces {
-    double *seen[LAG_PIECE_SAMPLES];       /* (nindicator + ncontact + nfriction + ncorner) values */
-    double *root, *found, *sought; /* the same */
+    double *seen;                  /* (nindicator + ncontact + nfriction + ncorner, LAG_PIECE_SAMPLES) values */
+    double *root, *found, *sought; /* (nindicator + ncontact + nfriction + ncorner) */
     double *when;                  /* (nindicator) time of the last change that was found */
     double reach;                  /* the next piece is as long as this [s]; 0: not known yet */
     double limit;                  /* the first piece behind a change of a relation is no longer than this [s] */
@@ -55,6 +55,12 @@ typedef struct lag_guards {
 static inline size_t lag_guard_count(const lag_model *model)
 {
     return model->nindicator + model->ncontact + model->nfriction;
+}
+
+/* Values of one of them at the places of a piece. */
+static inline double *lag_guards_seen(const lag_guards *guards, size_t which)
+{
+    return guards->pieces.seen + which * LAG_PIECE_SAMPLES;
 }
 
 /* Lays them out; arrays of a new layout are zero. */

@@ -62,21 +62,17 @@ static void between(lag_run *run, double s)
 static lag_status sample(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
-    lag_status status = evaluate_distances(run, s->t_before, s->x_before, run->guards.pieces.seen[0]);
-    for (int k = 1; k <= SAMPLES && status == LAG_OK; ++k) {
+    lag_status status = LAG_OK;
+    for (int k = 0; k <= SAMPLES && status == LAG_OK; ++k) {
         const double place = LAG_SAMPLE_PLACES[k];
         between(run, place);
-        status = evaluate_distances(run, s->t_before + place * (s->t - s->t_before), k == SAMPLES ? s->x : run->point, run->guards.pieces.seen[k]);
+        const double *x = k == 0 ? s->x_before : k == SAMPLES ? s->x : run->point;
+        status = evaluate_distances(run, s->t_before + place * (s->t - s->t_before), x, run->guards.corners.far);
+        for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
+            lag_guards_seen(&run->guards, i)[k] = run->guards.corners.far[i];
+        }
     }
     return status;
-}
-
-/* The samples of corner i, in their order. */
-static void samples_of(const lag_run *run, size_t i, double *values)
-{
-    for (int k = 0; k <= SAMPLES; ++k) {
-        values[k] = run->guards.pieces.seen[k][i];
-    }
 }
 
 /* True if the samples tell the shapes of all distances: a motion that turns round and round between them has not been followed up to such long steps. */
@@ -85,9 +81,7 @@ static int are_known(lag_run *run)
     const double h = run->stepper.t - run->stepper.t_before;
     double doubt = 0.0;
     for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
-        double values[LAG_PIECE_SAMPLES];
-        samples_of(run, i, values);
-        doubt = fmax(doubt, lag_piece_doubt(values));
+        doubt = fmax(doubt, lag_piece_doubt(lag_guards_seen(&run->guards, i)));
     }
     const int known = h <= run->guards.corners.reach && doubt <= LAG_KNOWN_PART;
     run->guards.corners.reach = lag_piece_length(h, doubt);
@@ -101,10 +95,11 @@ typedef struct lag_extent {
 
 static lag_extent extent_of(const lag_run *run, size_t i)
 {
-    lag_extent seen = {run->guards.pieces.seen[0][i], run->guards.pieces.seen[0][i]};
+    const double *values = lag_guards_seen(&run->guards, i);
+    lag_extent seen = {values[0], values[0]};
     for (int k = 1; k <= SAMPLES; ++k) {
-        seen.least = fmin(seen.least, run->guards.pieces.seen[k][i]);
-        seen.most = fmax(seen.most, run->guards.pieces.seen[k][i]);
+        seen.least = fmin(seen.least, values[k]);
+        seen.most = fmax(seen.most, values[k]);
     }
     return seen;
 }
@@ -133,7 +128,7 @@ static lag_status leave_out(lag_run *run)
         status = status == LAG_OK ? evaluate_distances(run, s->t_before, run->point, guards->corners.far) : status;
         for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
             const lag_extent seen = extent_of(run, i);
-            const int is_at_rest = seen.most - seen.least <= fabs(guards->corners.far[i] - guards->pieces.seen[0][i]);
+            const int is_at_rest = seen.most - seen.least <= fabs(guards->corners.far[i] - lag_guards_seen(guards, i)[0]);
             guards->corners.side[i] = is_at_rest ? 0.0 : guards->corners.side[i];
         }
     }
@@ -151,7 +146,7 @@ lag_status lag_run_face_corners(lag_run *run)
     const int known = status == LAG_OK && are_known(run);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
         const int is_sought = !known || is_near(run, i);
-        run->guards.corners.side[i] = !is_sought ? 0.0 : run->guards.pieces.seen[0][i] < 0.0 ? -1.0 : 1.0;
+        run->guards.corners.side[i] = !is_sought ? 0.0 : lag_guards_seen(&run->guards, i)[0] < 0.0 ? -1.0 : 1.0;
     }
     if (status == LAG_OK && lag_any(count, run->guards.corners.side)) {
         status = leave_out(run);
@@ -255,11 +250,11 @@ int lag_run_meets_corner(lag_run *run)
     if (!is_careful(run)) {
         return 0;
     }
-    lag_status status = evaluate_distances(run, s->t, s->x, guards->pieces.seen[0]);
+    lag_status status = evaluate_distances(run, s->t, s->x, guards->pieces.root);
     const double t = go_past(run);
     status = status == LAG_OK ? evaluate_distances(run, t, run->point, guards->corners.far) : status;
     for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
-        meets = meets || (guards->corners.far[i] < 0.0) != (guards->pieces.seen[0][i] < 0.0);
+        meets = meets || (guards->corners.far[i] < 0.0) != (guards->pieces.root[i] < 0.0);
     }
     return meets;
 }

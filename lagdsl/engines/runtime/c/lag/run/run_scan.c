@@ -36,7 +36,7 @@ static void remember(lag_run *run, int k)
 {
     for (size_t i = 0; i < count_of(run); ++i) {
         const double value = run->guards.value[i];
-        run->guards.pieces.seen[k][i] = value;
+        lag_guards_seen(&run->guards, i)[k] = value;
         run->guards.top[i] = fmax(run->guards.top[i], value);
     }
 }
@@ -46,13 +46,12 @@ static void remember(lag_run *run, int k)
 /* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between samples k - 2 and k. */
 static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
 {
-    lag_triple at;
+    const double *u_seen = LAG_SAMPLE_PLACES + k - 2;
+    const double *seen = lag_guards_seen(&run->guards, i) + k - 2;
+    lag_triple at = {{u_seen[0], u_seen[1], u_seen[2]}, {seen[0], seen[1], seen[2]}};
     double u = 0.0;
     double height = 0.0;
     const int just = k == 2 && in->a == run->stepper.t_before;
-    for (int j = 0; j < 3; ++j) {
-        lag_triple_put(&at, j, LAG_SAMPLE_PLACES[k - 2 + j], run->guards.pieces.seen[k - 2 + j][i]);
-    }
     for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
         *t = in->a + u * (in->b - in->a);
         if (!(*t > run->stepper.t_before) || !(*t < place_of(in, k))) {
@@ -75,7 +74,7 @@ static lag_status check_minima(lag_run *run, const piece *in, double *a, double 
     double there = 0.0;
     for (int k = 2; k <= in->samples; ++k) {
         for (size_t i = 0; i < count_of(run); ++i) {
-            const int changes = run->guards.pieces.seen[k][i] < 0.0;
+            const int changes = lag_guards_seen(&run->guards, i)[k] < 0.0;
             const lag_status status = changes ? LAG_OK : check_minimum(run, in, k, i, run->guards.pieces.found[i], &there);
             if (status != LAG_OK) {
                 *a = there <= place_of(in, k - 1) ? place_of(in, k - 2) : place_of(in, k - 1);
@@ -93,19 +92,9 @@ static double largest_value(const lag_run *run, const piece *in, size_t i)
 {
     double most = 0.0;
     for (int k = 0; k <= in->samples; ++k) {
-        most = fmax(most, fabs(run->guards.pieces.seen[k][i]));
+        most = fmax(most, fabs(lag_guards_seen(&run->guards, i)[k]));
     }
     return most;
-}
-
-/* Error of value i: the difference of the polynomials. Writes the error of parabolas through three samples into `found`. */
-static double difference_of(lag_run *run, size_t i)
-{
-    double values[LAG_PIECE_SAMPLES];
-    for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
-        values[k] = run->guards.pieces.seen[k][i];
-    }
-    return lag_piece_error(values, &run->guards.pieces.found[i]);
 }
 
 /* Round-off of value i, found where it is not known yet. */
@@ -117,12 +106,15 @@ static double noise_of(lag_run *run, size_t i)
     return lag_guards_noise(&run->guards, i);
 }
 
-/* The same as a part of its largest value; zero where that is round-off. */
+/*
+ * Error of value i, the difference of the polynomials, as a part of its largest value; zero where that is round-off. Writes the error of parabolas
+ * through three samples into `found`.
+ */
 static double doubt_of(lag_run *run, const piece *in, size_t i)
 {
     const double most = largest_value(run, in, i);
     run->guards.pieces.found[i] = LAG_KNOWN_PART * most;
-    const double difference = in->samples == LAST ? difference_of(run, i) : 0.0;
+    const double difference = in->samples == LAST ? lag_piece_error(lag_guards_seen(&run->guards, i), &run->guards.pieces.found[i]) : 0.0;
     if (!(difference > LAG_KNOWN_PART * most)) {
         return most > 0.0 ? difference / most : 0.0;
     }
@@ -200,8 +192,9 @@ static lag_status find_zeros_at_end(lag_run *run, const piece *in)
     const double soon = LAG_SCAN_TOGETHER * lag_scan_tolerance(run);
     int any = 0;
     for (size_t i = 0; i < count_of(run); ++i) {
-        const double value = run->guards.pieces.seen[LAST][i];
-        const double rate = (value - run->guards.pieces.seen[LAST - 1][i]) / h;
+        const double *seen = lag_guards_seen(&run->guards, i);
+        const double value = seen[LAST];
+        const double rate = (value - seen[LAST - 1]) / h;
         run->guards.changed[i] = rate < 0.0 && value <= -rate * soon && run->guards.top[i] > noise_of(run, i);
         any = any || run->guards.changed[i] != 0.0;
     }
@@ -234,10 +227,10 @@ static lag_status scan_pieces(lag_run *run, scan *on, double *t)
             *t = s->t;
             return LAG_EVENT_PENDING;
         }
-        if (accepted) {
-            memcpy(run->guards.pieces.seen[0], run->guards.pieces.seen[LAST], count_of(run) * sizeof(double));
-            in.a = in.b;
+        for (size_t i = 0; i < count_of(run) && accepted; ++i) {
+            lag_guards_seen(&run->guards, i)[0] = lag_guards_seen(&run->guards, i)[LAST];
         }
+        in.a = accepted ? in.b : in.a;
     }
     return LAG_OK;
 }
