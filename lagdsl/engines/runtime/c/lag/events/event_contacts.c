@@ -20,23 +20,19 @@ static lag_status find_modes(lag_instants *instants, double t, const double *x)
 
 lag_status lag_instants_impact(lag_instants *instants, double t, double *x, const double *collision, int *acted)
 {
-    const lag_blows *blows = &instants->contacts.blows;
-    const size_t count = instants->motion->model->ncontact;
-    const size_t frictions = instants->motion->model->nfriction + instants->motion->model->nslip;
-    const int collides = collision != NULL && lag_any(instants->motion->model->ncollision, collision);
-    const double *modes = instants->motion->w + instants->motion->places.sticks;
-    if (!collides && count + frictions == 0) {
+    const lag_model *model = instants->motion->model;
+    const size_t count = instants->motion->places.relation - instants->motion->places.contact;
+    const int collides = collision != NULL && lag_any(model->ncollision, collision);
+    const double *modes = instants->motion->w + instants->motion->places.contact;
+    if (!collides && count == 0) {
         return LAG_OK;
     }
-    memcpy(instants->leaving.frictions, modes, frictions * sizeof(double));
+    memcpy(instants->leaving.modes, modes, count * sizeof(double));
     lag_status status = lag_contacts_impact(&instants->contacts, t, x, collision, instants->clauses.restitution);
-    const int struck = lag_any(count, blows->approach);
-    instants->modes.jumped = instants->modes.jumped || struck || collides;
+    instants->modes.jumped = instants->modes.jumped || collides || lag_any(model->ncontact, instants->contacts.blows.approach);
     status = status == LAG_OK ? find_modes(instants, t, x) : status;
-    const int any = struck || !lag_same(frictions, instants->leaving.frictions, modes) ||
-        !lag_same(count, blows->before, instants->motion->w + instants->motion->places.contact);
+    const int any = !lag_same(count, instants->leaving.modes, modes); /* counts of impacts are among them */
     *acted = *acted || any || collides;
-    instants->instant.acted = instants->instant.acted || any;
     return status == LAG_OK && any ? lag_projection_rates(instants->projection, t, x, NULL) : status;
 }
 
@@ -56,7 +52,6 @@ lag_status lag_instants_change_contacts(lag_instants *instants, double t, double
 {
     const lag_model *model = instants->motion->model;
     const double *closed = instants->motion->w + instants->motion->places.contact;
-    int acted = 0;
     for (size_t i = 0; i < model->ncontact; ++i) {
         instants->contacts.blows.met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
@@ -65,5 +60,5 @@ lag_status lag_instants_change_contacts(lag_instants *instants, double t, double
         instants->leaving.flags[i] = changed[i] != 0.0 && closed[i] != 0.0;
     }
     instants->leaving.left = instants->leaving.turned ? NULL : instants->leaving.flags;
-    return lag_any(model->ncontact + model->nfriction, changed) ? lag_instants_impact(instants, t, x, NULL, &acted) : LAG_OK;
+    return lag_any(model->ncontact + model->nfriction, changed) ? lag_instants_impact(instants, t, x, NULL, &instants->instant.acted) : LAG_OK;
 }

@@ -209,15 +209,10 @@ lag_status lag_instants_turn(lag_instants *instants, double t, double *x, size_t
  */
 static lag_status turn(lag_instants *instants, double t, double *x, const double *turned, int *acted)
 {
-    const size_t count = instants->motion->model->nindicator;
-    double *truth = instants->motion->w + instants->motion->places.relation;
-    memcpy(instants->sides.truth, truth, count * sizeof(double));
+    const double *truth = instants->motion->w + instants->motion->places.relation;
     lag_status status = lag_instants_sides(instants, t, x, turned);
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (truth[i] != instants->sides.truth[i]) {
-            truth[i] = instants->sides.truth[i];
-            status = lag_instants_turn(instants, t, x, i, acted);
-        }
+    for (size_t i = 0; i < instants->motion->model->nindicator && status == LAG_OK; ++i) {
+        status = truth[i] != instants->sides.truth[i] ? lag_instants_turn(instants, t, x, i, acted) : LAG_OK;
     }
     return status;
 }

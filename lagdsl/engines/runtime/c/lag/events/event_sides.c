@@ -112,11 +112,12 @@ static lag_status find_sides(lag_instants *instants, double t, const double *x)
 lag_status lag_instants_sides(lag_instants *instants, double t, const double *x, const double *turned)
 {
     const lag_model *model = instants->motion->model;
-    double *truth = instants->motion->w + instants->motion->places.relation;
     const double *side = instants->sides.side;
+    double *truth = instants->sides.truth;
     if (model->nindicator == 0) {
         return LAG_OK;
     }
+    lag_copy(model->nindicator, instants->motion->w + instants->motion->places.relation, truth);
     const lag_status status = find_sides(instants, t, x);
     const int alone = instants->sides.begins && !instants->instant.acted && lag_same(instants->motion->places.relation, instants->instant.stood, instants->motion->w); /* relations turned */
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
@@ -133,15 +134,12 @@ lag_status lag_instants_sides(lag_instants *instants, double t, const double *x,
 lag_status lag_instants_find_turning(lag_instants *instants, double t, const double *x, double *turned)
 {
     const lag_model *model = instants->motion->model;
-    double *truth = instants->motion->w + instants->motion->places.relation;
-    double *before = instants->sides.truth;
+    const double *before = instants->motion->w + instants->motion->places.relation;
     const int any = lag_any(model->nindicator, turned);
-    memcpy(before, truth, model->nindicator * sizeof(double));
     const lag_status status = any ? find_sides(instants, t, x) : lag_instants_sides(instants, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = any ? turned[i] != 0.0 && holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : truth[i] != before[i];
+        turned[i] = any ? turned[i] != 0.0 && holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : instants->sides.truth[i] != before[i];
     }
-    memcpy(truth, before, model->nindicator * sizeof(double));
     return status;
 }
 

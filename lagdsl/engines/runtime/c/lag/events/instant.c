@@ -22,7 +22,7 @@ static void place_iteration(lag_instants *instants, const lag_model *model, lag_
         &instants->sides.truth, NULL});
     instants->trial.gap = lag_lay(layout, model->ncontact);
     instants->leaving.flags = lag_lay(layout, model->ncontact + model->nfriction);
-    instants->leaving.frictions = lag_lay(layout, model->nfriction + model->nslip);
+    instants->leaving.modes = lag_lay(layout, 2 * model->ncontact + model->nfriction + model->nslip);
     instants->instant.moment = 1e-9;
 }
 

@@ -48,7 +48,7 @@ typedef struct lag_instant {
 typedef struct lag_sides {
     double *now, *before;  /* their values now, and before the instant */
     double *side;          /* 1 or -1; 0: they do not show it */
-    double *truth;         /* before a pass turns them */
+    double *truth;         /* 1: it holds there */
     const double *located; /* flags: they were located at their zeros, wherever a projection moves them; null: none */
     int begins;            /* this is the start, from which no side was chosen yet */
 } lag_sides;
@@ -65,7 +65,7 @@ typedef struct lag_leaving {
     double *flags;         /* (ncontact + nfriction) */
     const double *left;    /* the same: their guards were located, until their modes are found; null: none */
     int turned;            /* relations, or what time changes, turn at this instant: forces are other ones behind it */
-    double *frictions;     /* (nfriction + nslip) their modes before a pass finds them anew */
+    double *modes;         /* (2 ncontact + nfriction + nslip) their entries of w before a pass finds them anew */
 } lag_leaving;
 
 /* The receiver of notices. */
@@ -198,8 +198,8 @@ lag_status lag_instants_report(const lag_instants *instants, double t, const dou
 lag_status lag_instants_relations(lag_instants *instants, double t, const double *x);
 
 /*
- * Relations as they stand; those that pass zero here are on the side to which the motion leads, those that stay at zero what they have turned to
- * (flags, or null).
+ * Relations as they stand, into instants->sides.truth; those that pass zero here are on the side to which the motion leads, those that stay at zero
+ * what they have turned to (flags, or null).
  */
 lag_status lag_instants_sides(lag_instants *instants, double t, const double *x, const double *turned);
 
