@@ -20,4 +20,10 @@ lag_places lag_places_of(const lag_model *model);
 /* Clears what lasts for one pass only: clocks and instants. */
 void lag_places_clear(const lag_places *places, double *w);
 
+/* 1: relation i holds with this value of its indicator. */
+static inline int lag_relation_holds(const lag_model *model, size_t i, double g)
+{
+    return g > 0.0 || (g == 0.0 && model->strict[i] == 0);
+}
+
 #endif

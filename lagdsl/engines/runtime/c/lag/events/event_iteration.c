@@ -154,6 +154,15 @@ static const double *with_states(lag_instants *instants, const double *x, const 
     return instants->trial.point;
 }
 
+/* Rates with the discretes of now and the momenta of `was` with discretes w, but for constraints that take hold. */
+static lag_status balance(lag_instants *instants, double t, double *x, const double *was, const double *w, const double *held)
+{
+    int jumped = 0;
+    const lag_status status = lag_impulse_keep_momenta(&instants->impulse, t, was, w);
+    memcpy(instants->discretes.settled, instants->motion->w, instants->motion->model->nw * sizeof(double));
+    return status == LAG_OK ? lag_impulse_balance(&instants->impulse, t, x, held, NULL, &jumped) : status;
+}
+
 /*
  * If discretes or states in constraints, masses or prescribed motions have changed, balances the momenta. Otherwise, after resets,
  * projects the rates onto the constraints. Rates that were reset keep their values where the constraints permit it; contacts
@@ -163,27 +172,13 @@ static lag_status apply_constraints(lag_instants *instants, double t, double *x,
 {
     const lag_model *model = instants->motion->model;
     const double *held = acted ? instants->clauses.held + model->nq : NULL;
-    int jumped = 0;
-    if (is_balanced(instants) && lag_same(model->nz, x + 2 * model->nq, instants->trial.states)) {
-        return acted ? lag_projection_rates(instants->projection, t, x, held) : LAG_OK;
-    }
-    instants->modes.jumped = 1; /* slips may depend on what has changed */
-    const double *was = with_states(instants, x, instants->trial.states);
-    lag_status status = lag_impulse_keep_momenta(&instants->impulse, t, was, balanced_discretes(instants));
-    memcpy(instants->discretes.settled, instants->motion->w, instants->motion->model->nw * sizeof(double));
-    if (status == LAG_OK) {
-        status = lag_impulse_balance(&instants->impulse, t, x, held, NULL, &jumped);
+    lag_status status = LAG_OK;
+    if (!is_balanced(instants) || !lag_same(model->nz, x + 2 * model->nq, instants->trial.states)) {
+        instants->modes.jumped = 1; /* slips may depend on what has changed */
+        const double *was = with_states(instants, x, instants->trial.states);
+        status = balance(instants, t, x, was, balanced_discretes(instants), held);
     }
     return status == LAG_OK && acted ? lag_projection_rates(instants->projection, t, x, held) : status;
-}
-
-/* The rates are those that belong to the discretes of now, but for constraints that take hold. */
-static lag_status balance(lag_instants *instants, double t, double *x)
-{
-    int jumped = 0;
-    const lag_status status = lag_impulse_keep_momenta(&instants->impulse, t, x, instants->motion->w);
-    memcpy(instants->discretes.settled, instants->motion->w, instants->motion->model->nw * sizeof(double));
-    return status == LAG_OK ? lag_impulse_balance(&instants->impulse, t, x, NULL, NULL, &jumped) : status;
 }
 
 lag_status lag_instants_turn(lag_instants *instants, double t, double *x, size_t which, int *acted)
@@ -199,7 +194,7 @@ lag_status lag_instants_turn(lag_instants *instants, double t, double *x, size_t
     if (status == LAG_CHATTER) {
         instants->discretes.guilty[instants->motion->places.relation + which] = 1.0;
     }
-    status = status == LAG_OK && refracted ? balance(instants, t, x) : status;
+    status = status == LAG_OK && refracted ? balance(instants, t, x, x, instants->motion->w, NULL) : status;
     return status == LAG_OK && !back ? lag_instants_turn_gaps(instants, t, x) : status;
 }
 

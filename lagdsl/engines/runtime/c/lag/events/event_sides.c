@@ -21,17 +21,12 @@ static lag_status indicate(lag_instants *instants, double t, const double *x, do
     return instants->motion->model->indicator(&instants->motion->at, g);
 }
 
-static int holds(const lag_model *model, size_t i, double g)
-{
-    return g > 0.0 || (g == 0.0 && model->strict[i] == 0);
-}
-
 lag_status lag_instants_relations(lag_instants *instants, double t, const double *x)
 {
     const lag_model *model = instants->motion->model;
     const lag_status status = model->nindicator > 0 ? indicate(instants, t, x, instants->sides.now) : LAG_OK;
     for (size_t i = 0; i < model->nindicator; ++i) {
-        instants->motion->w[instants->motion->places.relation + i] = holds(model, i, instants->sides.now[i]);
+        instants->motion->w[instants->motion->places.relation + i] = lag_relation_holds(model, i, instants->sides.now[i]);
     }
     return status;
 }
@@ -67,7 +62,7 @@ static int is_at_border(const lag_instants *instants, size_t i)
     const size_t count = instants->motion->model->nindicator;
     const double g = noise->value[i];
     const double passed = instants->instant.moment * fabs(noise->value[count + instants->motion->model->ncorner + i]);
-    const int disagrees = holds(instants->motion->model, i, g) != (instants->motion->w[instants->motion->places.relation + i] != 0.0);
+    const int disagrees = lag_relation_holds(instants->motion->model, i, g) != (instants->motion->w[instants->motion->places.relation + i] != 0.0);
     const int is_off = disagrees && fabs(g) <= lag_noise_known(noise, i) && !is_moved(instants, i);
     return is_off || !(fabs(g) > fmax(noise->sigma[i], isfinite(passed) ? passed : 0.0));
 }
@@ -125,7 +120,7 @@ lag_status lag_instants_sides(lag_instants *instants, double t, const double *x,
         if (side[i] != 0.0) {
             truth[i] = returns ? truth[i] : side[i] > 0.0; /* both sides of a corner may lead back to it */
         } else if (!has_turned(instants, turned, i) && fabs(instants->sides.before[i]) > lag_noise_known(&instants->noise, i)) {
-            truth[i] = holds(model, i, 0.0); /* a clause has put it there: no projection moves a value so far */
+            truth[i] = lag_relation_holds(model, i, 0.0); /* a clause has put it there: no projection moves a value so far */
         }
     }
     return status;
@@ -138,7 +133,7 @@ lag_status lag_instants_find_turning(lag_instants *instants, double t, const dou
     const int any = lag_any(model->nindicator, turned);
     const lag_status status = any ? find_sides(instants, t, x) : lag_instants_sides(instants, t, x, NULL);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
-        turned[i] = any ? turned[i] != 0.0 && holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : instants->sides.truth[i] != before[i];
+        turned[i] = any ? turned[i] != 0.0 && lag_relation_holds(model, i, instants->sides.side[i]) != (before[i] != 0.0) : instants->sides.truth[i] != before[i];
     }
     return status;
 }
@@ -157,7 +152,7 @@ static int returns_too_slowly(lag_instants *instants, double t, const double *x,
     const lag_status status = lag_noise_update(&instants->noise, t, x);
     for (size_t i = 0; i < model->nindicator && status == LAG_OK; ++i) {
         const double rise = truth[i] != 0.0 ? -rate[i] : rate[i];
-        const int stands = turned[i] != 0.0 && truth[i] != stood[i] && holds(model, i, g[i]) == (truth[i] != 0.0);
+        const int stands = turned[i] != 0.0 && truth[i] != stood[i] && lag_relation_holds(model, i, g[i]) == (truth[i] != 0.0);
         any = any || (stands && rise > 0.0 && rise * flight < DEEP * fabs(g[i]));
     }
     return any;

@@ -166,7 +166,7 @@ static int ends_at_zero(const lag_guards *guards, size_t i)
 {
     const lag_model *model = guards->motion->model;
     return i < model->nindicator && guards->value[i] == 0.0 &&
-        (guards->motion->w[guards->motion->places.relation + i] != 0.0) == (model->strict[i] != 0);
+        (guards->motion->w[guards->motion->places.relation + i] != 0.0) != lag_relation_holds(model, i, 0.0);
 }
 
 /* True if guard i has left its mode, but for its rounding error. */

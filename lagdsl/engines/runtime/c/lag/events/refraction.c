@@ -80,7 +80,7 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
         turned = 0;
         (void)model->indicator(&motion->at, r->g);
         for (size_t i = 0; i < model->nindicator; ++i) {
-            const double holds = r->g[i] > 0.0 || (r->g[i] == 0.0 && model->strict[i] == 0);
+            const double holds = lag_relation_holds(model, i, r->g[i]);
             const int jumps = fabs(r->g[i] - r->own[i]) > ALONG * (fabs(r->g[i]) + fabs(r->own[i]));
             if (i != which && jumps && holds != truth[i]) {
                 truth[i] = holds;

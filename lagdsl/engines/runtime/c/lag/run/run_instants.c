@@ -112,9 +112,6 @@ static lag_status carry_out(lag_run *run, double h, const double *changed, int t
     const size_t count = lag_guard_count(model);
     double *x = run->stepper.x;
     lag_instants_after(&run->instants, run->stepper.t, h);
-    if (changed == NULL) {
-        return LAG_OK;
-    }
     memmove(run->guards.changed, changed, count * sizeof(double));
     const int any = lag_any(count, changed); /* without, other things than relations and contacts have changed */
     lag_status status = keep_turning(run, run->guards.changed);
