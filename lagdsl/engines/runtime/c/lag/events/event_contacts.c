@@ -55,9 +55,8 @@ lag_status lag_instants_change_contacts(lag_instants *instants, double t, double
     for (size_t i = 0; i < model->ncontact; ++i) {
         instants->contacts.blows.met[i] = changed[i] != 0.0 && closed[i] == 0.0;
     }
-    memcpy(instants->leaving.flags, changed, (model->ncontact + model->nfriction) * sizeof(double));
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        instants->leaving.flags[i] = changed[i] != 0.0 && closed[i] != 0.0;
+    for (size_t i = 0; i < model->ncontact + model->nfriction; ++i) {
+        instants->leaving.flags[i] = changed[i] != 0.0 && (i >= model->ncontact || closed[i] != 0.0);
     }
     instants->leaving.left = instants->leaving.turned ? NULL : instants->leaving.flags;
     return lag_any(model->ncontact + model->nfriction, changed) ? lag_instants_impact(instants, t, x, NULL, &instants->instant.acted) : LAG_OK;

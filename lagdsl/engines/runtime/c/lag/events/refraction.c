@@ -33,7 +33,7 @@ void lag_refraction_place(lag_refraction *r, lag_contacts *contacts, lag_noise *
     *r = (lag_refraction){.motion = contacts->motion, .contacts = contacts, .impulse = contacts->impulse, .noise = noise};
     lag_lay_all(layout, model->nq, (double **const[]){&r->gradient, &r->along, &r->before, NULL});
     r->rate = lag_lay(layout, lag_motion_size(model));
-    lag_lay_all(layout, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, &r->other, NULL});
+    lag_lay_all(layout, model->nindicator, (double **const[]){&r->g, &r->own, &r->truth, NULL});
     r->rows = lag_lay(layout, model->nc * model->nq);
     r->speeds = lag_lay(layout, model->nc);
 }
@@ -60,12 +60,7 @@ static lag_status evaluate_side(lag_refraction *r, double t, const double *x, do
     return status == LAG_OK ? lag_impulse_evaluate(r->impulse, t, x) : status;
 }
 
-static void set_relations(lag_refraction *r, const double *truth)
-{
-    memcpy(r->motion->w + r->motion->places.relation, truth, r->motion->model->nindicator * sizeof(double));
-}
-
-/* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were, r->other what they are. */
+/* Relation `which` turns, and those that jump to the other side with it; r->truth keeps what they were. */
 static void turn_relation(lag_refraction *r, double t, const double *x, size_t which)
 {
     lag_motion *motion = r->motion;
@@ -88,10 +83,9 @@ static void turn_relation(lag_refraction *r, double t, const double *x, size_t w
             }
         }
     }
-    memcpy(r->other, truth, model->nindicator * sizeof(double));
 }
 
-/* Evaluates this side, then the other one, with its energy in *after, and the size of both energies. */
+/* Evaluates this side, then the other one, where relations stay, with its energy in *after, and the size of both energies. */
 static lag_status compare_sides(lag_refraction *r, double t, const double *x, size_t which, lag_side *side, double *after, double *size)
 {
     const lag_model *model = r->motion->model;
@@ -103,7 +97,6 @@ static lag_status compare_sides(lag_refraction *r, double t, const double *x, si
     memcpy(r->before, impulse->now, model->nq * sizeof(double));
     turn_relation(r, t, x, which);
     status = status == LAG_OK ? evaluate_side(r, t, x, after, &other) : status;
-    set_relations(r, r->truth);
     *size = fmax(*size, other);
     return status;
 }
@@ -293,16 +286,14 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
 {
     lag_motion *motion = r->motion;
     const size_t n = motion->model->nq;
+    const unsigned char *jumping = motion->model->jumping;
     double *truth = motion->w + r->motion->places.relation;
     lag_side side = {.sense = truth[which] == 0.0 ? 1.0 : -1.0};
     double after = 0.0;
     double size = 0.0;
-    const unsigned char *jumping = motion->model->jumping;
-    const int may_jump = motion->model->energies != NULL && (jumping == NULL || jumping[which] != 0); /* most relations are in forces only */
     *refracted = *back = 0;
-    lag_status status = may_jump ? compare_sides(r, t, x, which, &side, &after, &size) : LAG_OK;
-    if (status != LAG_OK || !may_jump) {
-        return status;
+    if (motion->model->energies == NULL || (jumping != NULL && jumping[which] == 0)) { /* most relations are in forces only */
+        return LAG_OK;
     }
     lag_noise_find(r->noise, t, x);
     const double g = r->noise->value[which];
@@ -313,16 +304,18 @@ lag_status lag_refraction_cross(lag_refraction *r, double t, double *x, size_t w
     const double speed = lag_dot(n, r->gradient, x + n) + side.drift;
     const double pull = side.sense * lag_dot(n, r->gradient, r->rate + n);
     const double noise = FEW * r->noise->sigma[which];
-    const int is_there = fabs(g) <= fmax(fabs(speed) * lookahead, noise);
+    if (fabs(g) > fmax(fabs(speed) * lookahead, noise)) {
+        return LAG_OK; /* it is not there */
+    }
+    lag_status status = compare_sides(r, t, x, which, &side, &after, &size);
     memcpy(r->impulse->before, r->before, n * sizeof(double));
-    set_relations(r, r->other); /* the impulse has rows and momenta of that side still: nothing was balanced since */
     const int jumps = fabs(after - side.energy) > JUMP * size || lag_impulse_differs(r->impulse, x + n, JUMP) || rows_bend(r, x, side.drift);
-    status = jumps && is_there ? find_rates(r, t, x, &side, refracted) : LAG_OK;
+    status = status == LAG_OK && jumps ? find_rates(r, t, x, &side, refracted) : status;
     truth[which] = r->truth[which];
     if (!*refracted) {
-        set_relations(r, r->truth);
+        memcpy(truth, r->truth, motion->model->nindicator * sizeof(double));
     }
-    if (status == LAG_OK && jumps && is_there && !*refracted) {
+    if (status == LAG_OK && jumps && !*refracted) {
         side.sense = -side.sense;
         status = find_rates(r, t, x, &side, back);
         *refracted = *back;

@@ -32,7 +32,7 @@ typedef struct lag_refraction {
     double *rows, *speeds;  /* (nc, nq) (nc) of the constraints on this side: J, J qd + b */
     double *rate;           /* (2 nq + nz) */
     double *g, *own;        /* (nindicator) (nindicator) */
-    double *truth, *other;  /* (nindicator) relations on this side, and on the other one */
+    double *truth;          /* (nindicator) relations on this side */
 } lag_refraction;
 
 void lag_refraction_place(lag_refraction *refraction, lag_contacts *contacts, lag_noise *noise, lag_layout *layout);
