@@ -105,6 +105,18 @@ static double zero_in(distance *one, const double *t, const double *values, int 
     return (double)INFINITY;
 }
 
+/* How well samples tell the shape of a piece, as a part of the largest of them. Waves between them show in rates that do not lead from one to the next. */
+static double doubt_of(const double *t, const double *values, const double *rates)
+{
+    double most = 0.0;
+    double off = 0.0;
+    for (int k = 1; k < LAG_PIECE_SAMPLES; ++k) {
+        most = fmax(most, fmax(fabs(values[k - 1]), fabs(values[k])));
+        off = fmax(off, fabs(values[k] - values[k - 1] - 0.5 * (t[k] - t[k - 1]) * (rates[k - 1] + rates[k])));
+    }
+    return most > 0.0 ? fmax(off / most, lag_piece_doubt(values)) : 0.0;
+}
+
 /* The first zero of a distance between times `from` and `to`, in pieces that samples tell the shape of, at most as long as `part`. */
 static double first_zero(distance *one, double from, double to, double part)
 {
@@ -117,12 +129,14 @@ static double first_zero(distance *one, double from, double to, double part)
     while (a < to && one->status == LAG_OK) {
         double t[LAG_PIECE_SAMPLES];
         double values[LAG_PIECE_SAMPLES];
+        double rates[LAG_PIECE_SAMPLES];
         const double w = fmin(reach, to - a);
         for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
             t[k] = k < LAG_LAST_SAMPLE ? a + w * LAG_SAMPLE_PLACES[k] : w < reach ? to : a + w;
             values[k] = value_of(one, t[k]);
+            rates[k] = one->rate;
         }
-        const double doubt = lag_piece_doubt(values);
+        const double doubt = doubt_of(t, values, rates);
         const int known = !(doubt > LAG_KNOWN_PART) || w <= shortest;
         const double zero = known ? zero_in(one, t, values, a == from) : (double)INFINITY;
         if (zero < (double)INFINITY) {
