@@ -85,12 +85,14 @@
 #define AGAIN timed_AGAIN
 #define HALVES timed_HALVES
 #define ULPS timed_ULPS
+#define doubt_of timed_doubt_of
 #define evaluate timed_evaluate
 #define value_of timed_value_of
 #include "lag/events/timed.c"
 #undef AGAIN
 #undef HALVES
 #undef ULPS
+#undef doubt_of
 #undef evaluate
 #undef value_of
 
@@ -151,12 +153,14 @@
 #define AGAIN run_scan_AGAIN
 #define FIRST run_scan_FIRST
 #define count_of run_scan_count_of
+#define doubt_of run_scan_doubt_of
 #define place_of run_scan_place_of
 #define remember run_scan_remember
 #include "lag/run/run_scan.c"
 #undef AGAIN
 #undef FIRST
 #undef count_of
+#undef doubt_of
 #undef place_of
 #undef remember
 
