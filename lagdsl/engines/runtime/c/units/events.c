@@ -59,10 +59,12 @@
 #include "lag/events/event_sides.c"
 
 #define evaluate guards_evaluate
+#define look guards_look
 #define size_of guards_size_of
 #define take_values guards_take_values
 #include "lag/events/guards.c"
 #undef evaluate
+#undef look
 #undef size_of
 #undef take_values
 
@@ -82,18 +84,18 @@
 #undef NEAR
 #undef find_rates
 
-#define AGAIN timed_AGAIN
 #define HALVES timed_HALVES
 #define ULPS timed_ULPS
 #define doubt_of timed_doubt_of
 #define evaluate timed_evaluate
+#define look_at timed_look_at
 #define value_of timed_value_of
 #include "lag/events/timed.c"
-#undef AGAIN
 #undef HALVES
 #undef ULPS
 #undef doubt_of
 #undef evaluate
+#undef look_at
 #undef value_of
 
 #define FIRST collocation_FIRST
@@ -150,17 +152,19 @@
 #include "lag/run/run_rows.c"
 #undef LEAST
 
-#define AGAIN run_scan_AGAIN
 #define FIRST run_scan_FIRST
 #define count_of run_scan_count_of
 #define doubt_of run_scan_doubt_of
+#define look run_scan_look
+#define look_at run_scan_look_at
 #define place_of run_scan_place_of
 #define remember run_scan_remember
 #include "lag/run/run_scan.c"
-#undef AGAIN
 #undef FIRST
 #undef count_of
 #undef doubt_of
+#undef look
+#undef look_at
 #undef place_of
 #undef remember
 

@@ -181,10 +181,12 @@
 #define DIFFERENCE minimum_DIFFERENCE
 #define LOWER minimum_LOWER
 #define SAFETY minimum_SAFETY
+#define put minimum_put
 #include "lag/linalg/minimum.c"
 #undef DIFFERENCE
 #undef LOWER
 #undef SAFETY
+#undef put
 
 #define scale nnls_scale
 #define solve nnls_solve

@@ -16,8 +16,8 @@ static const double ULPS = 16.0;
 enum { FARTHER = 32 };
 /* The experiment is looked over in so many parts for zeros of what is not affine, */
 static const double PARTS = 64.0;
-/* each of them halved at most so often; minima get at most so many samples more. */
-enum { HALVES = 20, AGAIN = 16 };
+/* each of them halved at most so often. */
+enum { HALVES = 20 };
 
 void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout)
 {
@@ -52,7 +52,7 @@ typedef struct distance {
     lag_timed *timed;
     size_t which;
     lag_status status;
-    double value, rate;
+    double t, value, rate; /* of the last look */
 } distance;
 
 static double value_of(void *context, double t)
@@ -70,21 +70,12 @@ static double zero_between(distance *one, double a, double before, double b, dou
     return lag_root(value_of, one, a, fmax(before, DBL_MIN), b, behind, DBL_EPSILON * fabs(b));
 }
 
-/* A time at which a distance, known up to an error, is not positive at its minimum between three samples; infinite: it has none. */
-static double find_minimum(distance *one, const double *t, const double *values, double error, int just)
+static int look_at(void *context, double t, double *value)
 {
-    lag_triple at = {{t[0], t[1], t[2]}, {values[0], values[1], values[2]}};
-    double place = 0.0;
-    double height = 0.0;
-    for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &place, &height); ++again) {
-        const double value = value_of(one, place);
-        if (!(value > 0.0)) {
-            return place;
-        }
-        error = fmax(fabs(value - height), LAG_CLEARER * error);
-        lag_minimum_narrow(&at, place, value);
-    }
-    return (double)INFINITY;
+    distance *one = context;
+    *value = value_of(one, t);
+    one->t = t;
+    return !(*value > 0.0);
 }
 
 /* The first zero in a piece, of which the samples are known; infinite without. */
@@ -96,10 +87,9 @@ static double zero_in(distance *one, const double *t, const double *values, int 
         if (!(values[k] > 0.0)) {
             return zero_between(one, t[k - 1], values[k - 1], t[k], values[k]);
         }
-        const double low = k > 1 ? find_minimum(one, t + k - 2, values + k - 2, error, just && k == 2) : (double)INFINITY;
-        if (low < (double)INFINITY) {
-            const int early = low <= t[k - 1];
-            return zero_between(one, early ? t[k - 2] : t[k - 1], early ? values[k - 2] : values[k - 1], low, value_of(one, low));
+        if (k > 1 && lag_minimum_search(look_at, one, t + k - 2, values + k - 2, error, just && k == 2)) {
+            const int before = one->t <= t[k - 1] ? k - 2 : k - 1;
+            return zero_between(one, t[before], values[before], one->t, one->value);
         }
     }
     return (double)INFINITY;
@@ -197,13 +187,13 @@ lag_status lag_timed_find_next(lag_timed *timed, double t)
     }
     lag_status status = evaluate(timed, t);
     for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
-        distance one = {timed, i, LAG_OK, 0.0, 0.0};
+        distance one = {timed, i, LAG_OK, t, 0.0, 0.0};
         timed->zero[i] = timed->affine[i] != 0.0 && isfinite(timed->rate[i]) ? affine_zero(&one, t) : (double)NAN;
         timed->next = fmin(timed->next, timed->zero[i]);
         status = one.status;
     }
     for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
-        distance one = {timed, i, LAG_OK, 0.0, 0.0};
+        distance one = {timed, i, LAG_OK, t, 0.0, 0.0};
         const double end = fmin(timed->next, t + length);
         if (isnan(timed->zero[i])) {
             timed->zero[i] = end > later ? first_zero(&one, later, end, length / PARTS) : (double)INFINITY;

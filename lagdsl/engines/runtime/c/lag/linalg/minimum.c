@@ -16,6 +16,14 @@ static const double LOWER = 2.0;
 static const double BESIDE = 0.25, JUST = 1e-6;
 /* A minimum nearer to the beginning than this part of the distance to the next sample is not told from one before it. */
 static const double BEGINNING = 0.01;
+/* With each sample near a minimum it is known better, by this factor at most; there are at most so many. */
+static const double CLEARER = 0.25;
+enum { LOOKS = 16 };
+
+/* Three places and the values there. */
+typedef struct triple {
+    double u[3], v[3];
+} triple;
 
 double lag_piece_error(const double *values, double *parabola)
 {
@@ -50,7 +58,11 @@ double lag_piece_length(double w, double doubt)
     return w * fmin(MOST_FACTOR, fmax(LEAST_FACTOR, factor));
 }
 
-int lag_minimum_of(const lag_triple *at, double error, int just, double *u, double *height)
+/*
+ * True if a minimum of the values, known up to an error, may be below zero; *u and *height are place and value of the minimum of a parabola. If that
+ * place lies beyond an end whose value is below the error, *u is a place beside that end.
+ */
+static int minimum_of(const triple *at, double error, int just, double *u, double *height)
 {
     const double *v = at->v;
     const double slope = (v[1] - v[0]) / (at->u[1] - at->u[0]);
@@ -66,13 +78,36 @@ int lag_minimum_of(const lag_triple *at, double error, int just, double *u, doub
     return inside ? *height < fmax(NEARER * fmax(fmin(v[0], fmin(v[1], v[2])), 0.0), LOWER * error) : first || last;
 }
 
-void lag_minimum_narrow(lag_triple *at, double u, double v)
+static void put(triple *at, int k, double u, double v)
+{
+    at->u[k] = u;
+    at->v[k] = v;
+}
+
+/* Three samples around the minimum, of which that at u is one. */
+static void narrow(triple *at, double u, double v)
 {
     const int before = u < at->u[1];
     if (v <= at->v[1]) {
-        lag_triple_put(at, before ? 2 : 0, at->u[1], at->v[1]);
-        lag_triple_put(at, 1, u, v);
+        put(at, before ? 2 : 0, at->u[1], at->v[1]);
+        put(at, 1, u, v);
     } else {
-        lag_triple_put(at, before ? 0 : 2, u, v);
+        put(at, before ? 0 : 2, u, v);
     }
+}
+
+int lag_minimum_search(lag_look *look, void *context, const double *places, const double *values, double error, int just)
+{
+    triple at = {{places[0], places[1], places[2]}, {values[0], values[1], values[2]}};
+    double place = 0.0;
+    double height = 0.0;
+    for (int k = 0; k < LOOKS && minimum_of(&at, error, just, &place, &height); ++k) {
+        double value = 0.0;
+        if (look(context, place, &value)) {
+            return 1;
+        }
+        error = fmax(fabs(value - height), CLEARER * error);
+        narrow(&at, place, value);
+    }
+    return 0;
 }

@@ -11,20 +11,6 @@ enum { LAG_PIECE_SAMPLES = 5, LAG_LAST_SAMPLE = LAG_PIECE_SAMPLES - 1 };
 static const double LAG_SAMPLE_PLACES[LAG_PIECE_SAMPLES] = {0.0, 0.2071, 0.4583, 0.7361, 1.0};
 /* Values are known where the difference of the polynomials is at most this part of the largest of them. */
 static const double LAG_KNOWN_PART = 0.1;
-/* With each sample near a minimum it is known better, by this factor at most. */
-static const double LAG_CLEARER = 0.25;
-
-/* Three places and the values there. */
-typedef struct lag_triple {
-    double u[3], v[3];
-} lag_triple;
-
-static inline void lag_triple_put(lag_triple *at, int k, double u, double v)
-{
-    at->u[k] = u;
-    at->v[k] = v;
-}
-
 /* Difference of the polynomials through values at the places of a piece; *parabola: error of parabolas through three of them. */
 double lag_piece_error(const double *values, double *parabola);
 
@@ -34,14 +20,13 @@ double lag_piece_doubt(const double *values);
 /* The length of the next piece after one of length w whose values are known up to this part of them: it goes with the fourth power. */
 double lag_piece_length(double w, double doubt);
 
-/*
- * True if a minimum of the values, known up to an error, may be below zero; *u and *height are place and value of the
- * minimum of a parabola. If that place lies beyond an end whose value is below the error, *u is a place beside that end, but
- * not beside a beginning at which an event has just occurred: `just`.
- */
-int lag_minimum_of(const lag_triple *at, double error, int just, double *u, double *height);
+/* The value at a place, with a context of the caller's; 1 ends the search. */
+typedef int lag_look(void *context, double place, double *value);
 
-/* Three samples around the minimum, of which that at u is one. */
-void lag_minimum_narrow(lag_triple *at, double u, double v);
+/*
+ * Looks for a minimum below zero between three places, where the function has `values`, known up to an error, and narrows them around it: 1 if a look ended
+ * the search. A minimum may lie beyond an end whose value is below the error; not beyond a beginning at which an event has just occurred: `just`.
+ */
+int lag_minimum_search(lag_look *look, void *context, const double *places, const double *values, double error, int just);
 
 #endif

@@ -43,29 +43,38 @@ static void remember(lag_run *run, int k)
 
 /* ---- what comes and goes between samples ---- */
 
+/* Number i near its minimum between samples k - 2 and k. */
+typedef struct look {
+    lag_run *run;
+    const piece *in;
+    int k;
+    size_t i;
+    double t;          /* of the last look, */
+    lag_status status; /* and LAG_EVENT_PENDING if it has changed there */
+} look;
+
+static int look_at(void *context, double place, double *value)
+{
+    look *one = context;
+    lag_run *run = one->run;
+    one->t = one->in->a + place * (one->in->b - one->in->a);
+    if (!(one->t > run->stepper.t_before) || !(one->t < place_of(one->in, one->k))) {
+        return 1;
+    }
+    const lag_status status = lag_scan_detect(run, one->t);
+    *value = run->guards.value[one->i];
+    one->status = status == LAG_EVENT_PENDING && run->guards.changed[one->i] == 0.0 ? LAG_OK : status;
+    return one->status != LAG_OK;
+}
+
 /* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between samples k - 2 and k. */
 static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
 {
-    const double *u_seen = LAG_SAMPLE_PLACES + k - 2;
-    const double *seen = lag_guards_seen(&run->guards, i) + k - 2;
-    lag_triple at = {{u_seen[0], u_seen[1], u_seen[2]}, {seen[0], seen[1], seen[2]}};
-    double u = 0.0;
-    double height = 0.0;
+    look one = {run, in, k, i, 0.0, LAG_OK};
     const int just = k == 2 && in->a == run->stepper.t_before;
-    for (int again = 0; again < AGAIN && lag_minimum_of(&at, error, just, &u, &height); ++again) {
-        *t = in->a + u * (in->b - in->a);
-        if (!(*t > run->stepper.t_before) || !(*t < place_of(in, k))) {
-            return LAG_OK;
-        }
-        const lag_status status = lag_scan_detect(run, *t);
-        const double value = run->guards.value[i];
-        if ((status == LAG_EVENT_PENDING && run->guards.changed[i] != 0.0) || (status != LAG_OK && status != LAG_EVENT_PENDING)) {
-            return status;
-        }
-        error = fmax(fabs(value - height), LAG_CLEARER * error);
-        lag_minimum_narrow(&at, u, value);
-    }
-    return LAG_OK;
+    (void)lag_minimum_search(look_at, &one, LAG_SAMPLE_PLACES + k - 2, lag_guards_seen(&run->guards, i) + k - 2, error, just);
+    *t = one.t;
+    return one.status;
 }
 
 /* Finds a value that changes and changes back between two samples: LAG_EVENT_PENDING if it has changed at *b and not yet at *a. */
