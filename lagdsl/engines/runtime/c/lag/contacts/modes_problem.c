@@ -147,12 +147,13 @@ static lag_status solve(lag_modes *modes, double t, const double *x)
 /* ---- what follows ---- */
 
 /*
- * Sets the heading of friction `number` of the problem, in rows from `row` on; 1: it slips, by more than a part of what its acceleration is a sum of, and of
+ * Sets the heading of friction `number` of the problem; 1: it slips, by more than a part of what its acceleration is a sum of, and of
  * the one that its limit makes.
  */
-static int find_heading(lag_modes *modes, size_t number, size_t row)
+static int find_heading(lag_modes *modes, size_t number)
 {
     const lag_inequalities *rows = &modes->rows;
+    const size_t row = (size_t)rows->slip[number];
     const size_t k = lag_friction_of(rows, number);
     const size_t count = lag_frictions_components(modes->frictions, k);
     const double limit = rows->limits[number] + lag_dot(rows->normals, rows->coefficients + number * rows->normals, rows->force);
@@ -180,14 +181,12 @@ static int find_heading(lag_modes *modes, size_t number, size_t row)
 static int find_slipping(lag_modes *modes)
 {
     const lag_frictions *frictions = modes->frictions;
-    size_t row = modes->rows.normals;
     int again = 0;
     for (size_t number = 0; number < modes->rows.frictions; ++number) {
         const size_t k = lag_friction_of(&modes->rows, number);
-        const int slips = find_heading(modes, number, row);
+        const int slips = find_heading(modes, number);
         again = again || (slips && modes->kinetic[k] == 0.0 && frictions->sticking[k] > frictions->limit[k]);
         modes->kinetic[k] = slips ? 1.0 : modes->kinetic[k];
-        row += lag_frictions_components(frictions, k);
     }
     return again;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/linear_program.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
@@ -167,35 +168,30 @@ static int share(const lag_reserve *r, size_t a, size_t b)
     return fabs(part) * r->length[a] * r->length[b] > RANK;
 }
 
-/* Rows a and b, and those that share forces with them, have one number from now on, if both share any. */
-static void join(lag_reserve *r, size_t a, size_t b)
-{
-    const double one = r->group[a];
-    const double other = r->group[b];
-    for (size_t i = 0; i < r->motion->model->nc && one * other > 0.0; ++i) {
-        r->group[i] = r->group[i] == other ? one : r->group[i];
-    }
-}
-
 /* Rows that share forces have one number, and friction that sticks that of the forces that its limit follows. */
 static void find_groups(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
+    lag_separate(model->nc, r->group);
     for (size_t a = 0; a < model->nc; ++a) {
-        r->group[a] = share(r, a, a) ? (double)(a + 1) : 0.0;
         for (size_t b = 0; b < a; ++b) {
             if (share(r, a, b)) {
-                join(r, b, a);
+                lag_join(r->group, a, b);
             }
         }
     }
     for (size_t side = model->ncontact; side < count_sides(r); ++side) {
         const int sticks = *lag_frictions_sticks(r->frictions, side - model->ncontact) != 0.0;
         for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks; ++i) {
-            if (gain_of(r, side)[i % model->nc] != 0.0) {
-                join(r, row_of(r, side) + i / model->nc, i % model->nc);
+            const size_t row = row_of(r, side) + i / model->nc;
+            const size_t other = i % model->nc;
+            if (gain_of(r, side)[other] != 0.0 && share(r, row, row) && share(r, other, other)) {
+                lag_join(r->group, row, other);
             }
         }
+    }
+    for (size_t row = model->nc; row-- > 0;) { /* those that share none have none */
+        r->group[row] = share(r, row, row) ? (double)(lag_set_of(r->group, row) + 1) : 0.0;
     }
 }
 

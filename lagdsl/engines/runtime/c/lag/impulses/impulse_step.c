@@ -9,6 +9,7 @@
 
 #include "lag/impulses/friction_problem.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/vector.h"
 
 /* One block, of the coordinates that have this number. */
@@ -43,44 +44,22 @@ size_t lag_impulse_step_memory(const lag_model *model)
 
 /* ---- blocks ---- */
 
-static size_t block_of(const block *b, double at)
-{
-    size_t i = (size_t)at;
-    while ((size_t)b->tied[i] != i) {
-        i = (size_t)b->tied[i];
-    }
-    return i;
-}
-
-/* The coordinates at which a row (nq) has entries are of the block of coordinate `with`. */
-static void tie(block *b, size_t nq, const double *row, double with)
-{
-    for (size_t j = 0; j < nq; ++j) {
-        if (row[j] != 0.0) {
-            const size_t one = block_of(b, with);
-            const size_t other = block_of(b, (double)j);
-            b->tied[one > other ? one : other] = (double)(one < other ? one : other);
-        }
-    }
-}
-
-/* A row that is zero may count to any block. */
+/* Coordinates that inequalities tie. A row that is zero may count to any. */
 static void tie_inequalities(block *b, size_t nq, const lag_inequalities *rows)
 {
-    size_t slip = rows->normals;
     for (size_t i = 0; i < rows->size; ++i) {
         b->inequality[i] = (double)(lag_first(nq, rows->rows + i * nq) % nq);
-        tie(b, nq, rows->rows + i * nq, b->inequality[i]);
-        tie(b, nq, rows->columns + i * nq, b->inequality[i]);
+        lag_join_entries(b->tied, nq, rows->rows + i * nq, (size_t)b->inequality[i]);
+        lag_join_entries(b->tied, nq, rows->columns + i * nq, (size_t)b->inequality[i]);
     }
     for (size_t k = 0; k < rows->frictions; ++k) {
+        const size_t slip = (size_t)rows->slip[k];
         for (size_t i = 0; i < rows->normals; ++i) {
             if (rows->coefficients[k * rows->normals + i] != 0.0) {
-                tie(b, nq, rows->rows + i * nq, b->inequality[slip]);
+                lag_join(b->tied, (size_t)b->inequality[slip], (size_t)b->inequality[i]);
             }
         }
-        slip += (size_t)rows->components[k];
-        tie(b, nq, rows->rows + (slip - 1) * nq, b->inequality[slip - (size_t)rows->components[k]]);
+        lag_join(b->tied, (size_t)b->inequality[slip], (size_t)b->inequality[slip + (size_t)rows->components[k] - 1]);
     }
 }
 
@@ -97,19 +76,15 @@ static block find_blocks(lag_impulse *impulse, const lag_inequalities *rows)
     b.mass = lag_take(&b.memory, n * n);
     b.jacobian = lag_take(&b.memory, most_rows(model) * n);
     lag_take_all(&b.memory, most_rows(model), (double **const[]){&b.right, &b.lam, NULL});
+    lag_separate(n, b.tied);
     for (size_t i = 0; i < n; ++i) {
-        b.tied[i] = (double)i;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        tie(&b, n, impulse->mass + i * n, (double)i);
+        lag_join_entries(b.tied, n, impulse->mass + i * n, i);
     }
     for (size_t i = 0; i < model->nc; ++i) {
         b.row[i] = (double)lag_first(n, impulse->jacobian + i * n);
-        tie(&b, n, impulse->jacobian + i * n, b.row[i]);
+        lag_join_entries(b.tied, n, impulse->jacobian + i * n, (size_t)b.row[i]);
     }
-    if (rows != NULL) {
-        tie_inequalities(&b, n, rows);
-    }
+    tie_inequalities(&b, n, rows);
     return b;
 }
 
@@ -125,30 +100,28 @@ static void gather(const block *b, const double *row, double *own)
 static void take_block(block *b, const lag_impulse *impulse, const lag_inequalities *rows, size_t which)
 {
     const size_t nq = impulse->motion->model->nq;
-    size_t slip = rows != NULL ? rows->normals : 0;
     b->n = b->normals = b->frictions = b->size = 0;
     for (size_t j = which; j < nq; ++j) {
-        if (block_of(b, (double)j) == which) {
+        if (lag_set_of(b->tied, j) == which) {
             b->coordinate[b->n++] = (double)j;
         }
     }
     for (size_t i = 0; i < b->n; ++i) {
         gather(b, impulse->mass + (size_t)b->coordinate[i] * nq, b->mass + i * b->n);
     }
-    for (size_t i = 0; rows != NULL && i < rows->normals; ++i) {
-        if (block_of(b, b->inequality[i]) == which) {
+    for (size_t i = 0; i < rows->normals; ++i) {
+        if (lag_set_of(b->tied, (size_t)b->inequality[i]) == which) {
             b->number[b->size++] = (double)i;
         }
     }
     b->normals = b->size;
-    for (size_t k = 0; rows != NULL && k < rows->frictions; ++k) {
-        const int is_own = block_of(b, b->inequality[slip]) == which;
+    for (size_t k = 0; k < rows->frictions; ++k) {
+        const int is_own = lag_set_of(b->tied, (size_t)b->inequality[(size_t)rows->slip[k]]) == which;
         for (size_t a = 0; a < (size_t)rows->components[k] && is_own; ++a) {
-            b->number[b->size++] = (double)(slip + a);
+            b->number[b->size++] = rows->slip[k] + (double)a;
         }
         b->friction[b->frictions] = (double)k;
         b->frictions += (size_t)is_own;
-        slip += (size_t)rows->components[k];
     }
 }
 
@@ -162,7 +135,7 @@ static lag_status factor(block *b, lag_impulse *impulse, const double *held, con
     double *memory = b->memory;
     b->rows = 0;
     for (size_t i = 0; i < model->nc; ++i) {
-        if (b->row[i] < (double)model->nq && block_of(b, b->row[i]) == which) {
+        if (b->row[i] < (double)model->nq && lag_set_of(b->tied, (size_t)b->row[i]) == which) {
             gather(b, impulse->jacobian + i * model->nq, b->jacobian + b->rows * b->n);
             b->right[b->rows++] = residual != NULL ? -residual[i] : 0.0;
             most += model->redundant == NULL || model->redundant[i] == 0;
@@ -183,7 +156,7 @@ static lag_status factor(block *b, lag_impulse *impulse, const double *held, con
     return status;
 }
 
-/* The change of the rates by impulses of the constraints, in the first order; 1: it satisfies the rows and what is held. */
+/* The change of the rates by momenta and impulses of the constraints, in the first order; 1: it satisfies the rows and what is held. */
 static int change_by_constraints(block *b)
 {
     double size = 1e-300;
@@ -274,26 +247,34 @@ static lag_status change_by_inequalities(block *b, const lag_impulse *impulse, l
 
 /* ---- the step ---- */
 
-/* The change (nq) of the rates by momenta `force` (nq), block by block; those that nothing moves stay. */
-static lag_status solve(lag_impulse *impulse, const double *force, const double *residual, const double *held, lag_inequalities *rows, const double *qd, double *change)
+/* The change of the rates in the block of this number by momenta (nq), and the residuals (nc; null: none) of the constraints. */
+static lag_status solve_block(
+    block *b, lag_impulse *impulse, size_t which, const double *momenta, const double *residual, const double *held, lag_inequalities *rows, const double *qd)
 {
-    block b = find_blocks(impulse, rows);
+    take_block(b, impulse, rows, which);
+    gather(b, momenta, b->force);
+    lag_status status = factor(b, impulse, held, residual, which);
+    const int reached = status == LAG_OK && change_by_constraints(b);
+    if (held != NULL && !reached) {
+        status = factor(b, impulse, NULL, residual, which);
+        (void)(status == LAG_OK && change_by_constraints(b));
+    }
+    return status == LAG_OK && b->size > 0 ? change_by_inequalities(b, impulse, rows, qd) : status;
+}
+
+static lag_status solve(
+    lag_impulse *impulse, const double *momenta, const double *residual, const double *held, lag_inequalities *rows, const double *qd, double *change)
+{
+    lag_inequalities none = {0};
+    lag_inequalities *all = rows != NULL ? rows : &none;
+    block b = find_blocks(impulse, all);
     lag_status status = LAG_OK;
     for (size_t which = 0; which < impulse->motion->model->nq && status == LAG_OK; ++which) {
-        if (block_of(&b, (double)which) != which) {
-            continue;
-        }
-        take_block(&b, impulse, rows, which);
-        gather(&b, force, b.force);
-        status = factor(&b, impulse, held, residual, which);
-        const int reached = status == LAG_OK && change_by_constraints(&b);
-        if (held != NULL && !reached) {
-            status = factor(&b, impulse, NULL, residual, which);
-            (void)(status == LAG_OK && change_by_constraints(&b));
-        }
-        status = status == LAG_OK && b.size > 0 ? change_by_inequalities(&b, impulse, rows, qd) : status;
-        for (size_t i = 0; i < b.n; ++i) {
-            change[(size_t)b.coordinate[i]] = b.change[i];
+        if (lag_set_of(b.tied, which) == which) {
+            status = solve_block(&b, impulse, which, momenta, residual, held, all, qd);
+            for (size_t i = 0; i < b.n; ++i) {
+                change[(size_t)b.coordinate[i]] = b.change[i];
+            }
         }
     }
     return status;
