@@ -39,8 +39,9 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layou
     if (model->nfriction == 0) {
         return;
     }
-    reserve->jacobian = lag_lay(layout, model->nc * model->nq);
-    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->group, &reserve->force, NULL});
+    reserve->forces = lag_lay(layout, model->nc * model->nq);
+    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->place, &reserve->group, &reserve->force, NULL});
+    lag_lay_all(layout, model->nq, (double **const[]){&reserve->tied, &reserve->looked, NULL});
     reserve->basis = lag_lay(layout, model->nc * model->nc);
     reserve->gain = lag_lay(layout, sides * model->nc);
     reserve->empty = lag_lay(layout, sides);
@@ -60,6 +61,13 @@ static size_t loads_of(const lag_reserve *r, size_t side)
 {
     const size_t contacts = r->motion->model->ncontact;
     return side < contacts ? 0 : lag_frictions_components(r->frictions, side - contacts);
+}
+
+/* 1: a friction, which sticks. */
+static int sticks(const lag_reserve *r, size_t side)
+{
+    const size_t contacts = r->motion->model->ncontact;
+    return side >= contacts && *lag_frictions_sticks(r->frictions, side - contacts) != 0.0;
 }
 
 /* The row of the force of a contact; the first of those that load friction. */
@@ -91,8 +99,7 @@ static double left_of(const lag_reserve *r, size_t side, const double *force)
 static int is_in(const lag_reserve *r, size_t side, double group)
 {
     const size_t row = row_of(r, side);
-    const int holds = loads_of(r, side) == 0 || *lag_frictions_sticks(r->frictions, side - r->motion->model->ncontact) != 0.0;
-    return holds && (r->group[row] == group || (loads_of(r, side) > 1 && r->group[row + 1] == group));
+    return (loads_of(r, side) == 0 || sticks(r, side)) && (r->group[row] == group || (loads_of(r, side) > 1 && r->group[row + 1] == group));
 }
 
 /* The force of a side in which reserves are told. */
@@ -109,9 +116,9 @@ static lag_status find_lengths(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
     const size_t n = model->nq;
-    const lag_status status = model->velocity_constraint(&r->motion->at, r->residual, r->jacobian);
+    const lag_status status = model->velocity_constraint(&r->motion->at, r->residual, r->forces);
     for (size_t i = 0; i < model->nc; ++i) {
-        r->length[i] = sqrt(lag_dot(n, r->jacobian + i * n, r->jacobian + i * n));
+        r->length[i] = sqrt(lag_dot(n, r->forces + i * n, r->forces + i * n));
     }
     for (size_t i = 0; i < model->ncontact; ++i) {
         r->gain[i * model->nc + model->contact_rows[i]] = 1.0;
@@ -120,40 +127,64 @@ static lag_status find_lengths(lag_reserve *r)
     return status;
 }
 
-/* The forces of unit rows that act without effect, with the loads that they bring along; 1: there are some. */
-static int find_basis(lag_reserve *r)
+/* The forces of the rows, with the loads that they bring along, and sets of coordinates at which they act together, or share limits. */
+static void find_forces(lag_reserve *r)
+{
+    const lag_model *model = r->motion->model;
+    const size_t n = model->nq;
+    lag_separate(n, r->tied);
+    for (size_t row = 0; row < model->nc; ++row) {
+        double *force = r->forces + row * n;
+        for (size_t l = 0; l < model->nload && r->length[row] > 0.0; ++l) { /* a force is the negative of how M qdd - f changes */
+            const double load = r->loads.by_multiplier[l * model->nc + row];
+            for (size_t j = 0; j < n && load != 0.0; ++j) {
+                force[j] -= r->loads.motion[j * model->nload + l] * load;
+            }
+        }
+        r->place[row] = (double)(lag_first(n, force) % n);
+        lag_join_entries(r->tied, n, force, (size_t)r->place[row]);
+    }
+    for (size_t side = model->ncontact; side < count_sides(r); ++side) {
+        const size_t row = row_of(r, side);
+        const size_t last = row + loads_of(r, side) - 1;
+        for (size_t i = 0; i < model->nc && sticks(r, side); ++i) {
+            if (gain_of(r, side)[i] != 0.0 || i == last) {
+                lag_join(r->tied, (size_t)r->place[row], (size_t)r->place[i]);
+            }
+        }
+    }
+}
+
+/* The multipliers of unit rows in this set of coordinates that act without effect; 1: there are some. */
+static int find_basis(lag_reserve *r, size_t set)
 {
     const lag_model *model = r->motion->model;
     const size_t n = model->nq;
     double *memory = r->work;
     double *columns = lag_take(&memory, n * model->nc);
     size_t m = 0;
+    size_t rank = 0;
     for (size_t row = 0; row < model->nc; ++row) {
         r->group[m] = (double)row; /* the rows that act, for now */
-        m += r->length[row] > 0.0;
+        m += r->length[row] > 0.0 && lag_set_of(r->tied, (size_t)r->place[row]) == set;
     }
-    for (size_t k = 0; k < m; ++k) {
-        for (size_t j = 0; j < n; ++j) {
+    for (size_t j = set; j < n; ++j) {
+        const int is_own = lag_set_of(r->tied, j) == set;
+        for (size_t k = 0; k < m && is_own; ++k) {
             const size_t row = (size_t)r->group[k];
-            double force = r->jacobian[row * n + j];
-            for (size_t l = 0; l < model->nload; ++l) { /* a force is the negative of how M qdd - f changes */
-                force -= r->loads.motion[j * model->nload + l] * r->loads.by_multiplier[l * model->nc + row];
-            }
-            columns[j * m + k] = force / r->length[row];
+            columns[rank * m + k] = r->forces[row * n + j] / r->length[row];
         }
+        rank += (size_t)is_own;
     }
-    r->undetermined = 0;
-    lag_fill(model->nc * model->nc, 0.0, r->basis);
-    if (m == 0) {
-        return 0;
-    }
-    const lag_svd svd = lag_svd_of(n, m, columns, memory);
-    for (size_t v = lag_svd_rank(&svd, RANK); v < m; ++v) {
+    const lag_svd svd = lag_svd_of(rank, m, columns, memory);
+    rank = lag_svd_rank(&svd, RANK);
+    r->undetermined = m - rank;
+    lag_fill(r->undetermined * model->nc, 0.0, r->basis);
+    for (size_t v = rank; v < m; ++v) {
         for (size_t k = 0; k < m; ++k) {
             const size_t row = (size_t)r->group[k];
-            r->basis[r->undetermined * model->nc + row] = svd.v[v * m + k] / r->length[row];
+            r->basis[(v - rank) * model->nc + row] = svd.v[v * m + k] / r->length[row];
         }
-        ++r->undetermined;
     }
     return r->undetermined > 0;
 }
@@ -181,8 +212,7 @@ static void find_groups(lag_reserve *r)
         }
     }
     for (size_t side = model->ncontact; side < count_sides(r); ++side) {
-        const int sticks = *lag_frictions_sticks(r->frictions, side - model->ncontact) != 0.0;
-        for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks; ++i) {
+        for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks(r, side); ++i) {
             const size_t row = row_of(r, side) + i / model->nc;
             const size_t other = i % model->nc;
             if (gain_of(r, side)[other] != 0.0 && share(r, row, row) && share(r, other, other)) {
@@ -345,6 +375,20 @@ static void find_reserve(lag_reserve *r, double group)
     }
 }
 
+/* The reserves of the groups in one set of coordinates. */
+static void evaluate_set(lag_reserve *r, size_t set)
+{
+    if (!find_basis(r, set)) {
+        return;
+    }
+    find_groups(r);
+    for (size_t row = 0; row < r->motion->model->nc; ++row) {
+        if (r->group[row] == (double)(row + 1)) { /* the first of its group */
+            find_reserve(r, r->group[row]);
+        }
+    }
+}
+
 lag_status lag_reserve_evaluate(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
@@ -358,13 +402,16 @@ lag_status lag_reserve_evaluate(lag_reserve *r)
     lag_status status = find_lengths(r);
     status = status == LAG_OK ? lag_loads_evaluate(&r->loads, model, &r->motion->at) : status;
     status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
-    if (status != LAG_OK || !find_basis(r)) {
+    if (status != LAG_OK) {
         return status;
     }
-    find_groups(r);
-    for (size_t row = 0; row < model->nc; ++row) {
-        if (r->group[row] == (double)(row + 1)) { /* the first of its group */
-            find_reserve(r, r->group[row]);
+    find_forces(r);
+    lag_fill(model->nq, 0.0, r->looked);
+    for (size_t side = model->ncontact; side < count_sides(r); ++side) {
+        const size_t set = lag_set_of(r->tied, (size_t)r->place[row_of(r, side)]);
+        if (sticks(r, side) && r->looked[set] == 0.0) {
+            r->looked[set] = 1.0;
+            evaluate_set(r, set);
         }
     }
     return LAG_OK;
