@@ -5,6 +5,7 @@
 #include "lag/elimination/band.h"
 #include "lag/elimination/complex.h"
 #include "lag/elimination/lu.h"
+#include "lag/equations/blocks.h"
 #include "lag/equations/delassus.h"
 #include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
@@ -16,6 +17,7 @@
 #include "lag/evaluate.h"
 #include "lag/fixed.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/lemke.h"
 #include "lag/linalg/levenberg_marquardt.h"
@@ -47,6 +49,8 @@
 #define swap_rows lu_swap_rows
 #include "lag/elimination/lu.c"
 #undef swap_rows
+
+#include "lag/equations/blocks.c"
 
 #include "lag/equations/columns.c"
 

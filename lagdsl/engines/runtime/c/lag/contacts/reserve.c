@@ -34,7 +34,6 @@ static size_t work_memory(const lag_model *model)
 void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layout *layout)
 {
     const lag_model *model = frictions->motion->model;
-    const size_t sides = model->ncontact + model->nfriction;
     *reserve = (lag_reserve){.motion = frictions->motion, .frictions = frictions};
     if (model->nfriction == 0) {
         return;
@@ -43,8 +42,7 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layou
     lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->place, &reserve->group, &reserve->force, NULL});
     lag_lay_all(layout, model->nq, (double **const[]){&reserve->tied, &reserve->looked, NULL});
     reserve->basis = lag_lay(layout, model->nc * model->nc);
-    reserve->gain = lag_lay(layout, sides * model->nc);
-    reserve->empty = lag_lay(layout, sides);
+    reserve->empty = lag_lay(layout, model->ncontact + model->nfriction);
     lag_loads_place(&reserve->loads, model, layout);
     reserve->work = lag_lay(layout, work_memory(model));
 }
@@ -77,9 +75,11 @@ static size_t row_of(const lag_reserve *r, size_t side)
     return side < model->ncontact ? model->contact_rows[side] : model->friction_rows[(size_t)r->frictions->first[side - model->ncontact]];
 }
 
-static const double *gain_of(const lag_reserve *r, size_t side)
+/* How the limit of a side changes with a multiplier: that of a contact is its force. */
+static double gain_of(const lag_reserve *r, size_t side, size_t row)
 {
-    return r->gain + side * r->motion->model->nc;
+    const lag_model *model = r->motion->model;
+    return side < model->ncontact ? row == model->contact_rows[side] : r->frictions->sticking_gain[(side - model->ncontact) * model->nc + row];
 }
 
 /* The rest of the limit of a side with these forces (nc). */
@@ -90,7 +90,7 @@ static double left_of(const lag_reserve *r, size_t side, const double *force)
     const double load = loads_of(r, side) > 0 ? lag_slip_length(loads_of(r, side), force + row_of(r, side)) : 0.0;
     double limit = side < model->ncontact ? lam[row_of(r, side)] : r->frictions->sticking[side - model->ncontact];
     for (size_t i = 0; i < model->nc; ++i) {
-        limit += gain_of(r, side)[i] != 0.0 ? gain_of(r, side)[i] * (force[i] - lam[i]) : 0.0;
+        limit += gain_of(r, side, i) != 0.0 ? gain_of(r, side, i) * (force[i] - lam[i]) : 0.0;
     }
     return limit - load;
 }
@@ -111,30 +111,18 @@ static double size_of(const lag_reserve *r, size_t side)
 
 /* ---- groups ---- */
 
-/* Lengths of the rows that act, and gains of the limits. */
-static lag_status find_lengths(lag_reserve *r)
+/* Lengths of the rows that act, their forces, with the loads that they bring along, and sets of coordinates at which they act together, or share limits. */
+static lag_status find_forces(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
     const size_t n = model->nq;
-    const lag_status status = model->velocity_constraint(&r->motion->at, r->residual, r->forces);
-    for (size_t i = 0; i < model->nc; ++i) {
-        r->length[i] = sqrt(lag_dot(n, r->forces + i * n, r->forces + i * n));
-    }
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        r->gain[i * model->nc + model->contact_rows[i]] = 1.0;
-    }
-    memcpy(r->gain + model->ncontact * model->nc, r->frictions->sticking_gain, model->nfriction * model->nc * sizeof(double));
-    return status;
-}
-
-/* The forces of the rows, with the loads that they bring along, and sets of coordinates at which they act together, or share limits. */
-static void find_forces(lag_reserve *r)
-{
-    const lag_model *model = r->motion->model;
-    const size_t n = model->nq;
+    lag_status status = model->velocity_constraint(&r->motion->at, r->residual, r->forces);
+    status = status == LAG_OK ? lag_loads_evaluate(&r->loads, model, &r->motion->at) : status;
+    status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
     lag_separate(n, r->tied);
-    for (size_t row = 0; row < model->nc; ++row) {
+    for (size_t row = 0; row < model->nc && status == LAG_OK; ++row) {
         double *force = r->forces + row * n;
+        r->length[row] = sqrt(lag_dot(n, force, force));
         for (size_t l = 0; l < model->nload && r->length[row] > 0.0; ++l) { /* a force is the negative of how M qdd - f changes */
             const double load = r->loads.by_multiplier[l * model->nc + row];
             for (size_t j = 0; j < n && load != 0.0; ++j) {
@@ -144,15 +132,16 @@ static void find_forces(lag_reserve *r)
         r->place[row] = (double)(lag_first(n, force) % n);
         lag_join_entries(r->tied, n, force, (size_t)r->place[row]);
     }
-    for (size_t side = model->ncontact; side < count_sides(r); ++side) {
+    for (size_t side = model->ncontact; side < count_sides(r) && status == LAG_OK; ++side) {
         const size_t row = row_of(r, side);
         const size_t last = row + loads_of(r, side) - 1;
         for (size_t i = 0; i < model->nc && sticks(r, side); ++i) {
-            if (gain_of(r, side)[i] != 0.0 || i == last) {
+            if (gain_of(r, side, i) != 0.0 || i == last) {
                 lag_join(r->tied, (size_t)r->place[row], (size_t)r->place[i]);
             }
         }
     }
+    return status;
 }
 
 /* The multipliers of unit rows in this set of coordinates that act without effect; 1: there are some. */
@@ -215,7 +204,7 @@ static void find_groups(lag_reserve *r)
         for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks(r, side); ++i) {
             const size_t row = row_of(r, side) + i / model->nc;
             const size_t other = i % model->nc;
-            if (gain_of(r, side)[other] != 0.0 && share(r, row, row) && share(r, other, other)) {
+            if (gain_of(r, side, other) != 0.0 && share(r, row, row) && share(r, other, other)) {
                 lag_join(r->group, row, other);
             }
         }
@@ -264,7 +253,7 @@ static void add_tangent(const lag_reserve *r, program *p, size_t side, const dou
     const double load = count > 0 ? lag_slip_length(count, force) : 0.0;
     double *inequality = p->a + p->rows * p->unknowns;
     for (size_t i = 0; i < m; ++i) {
-        p->form[i] = -gain_of(r, side)[i];
+        p->form[i] = -gain_of(r, side, i);
     }
     lag_axpy(count, 1.0, along, p->form + row_of(r, side));
     for (size_t v = 0; v < r->undetermined; ++v) {
@@ -340,7 +329,7 @@ static double find_force_size(const lag_reserve *r, double group)
     for (size_t side = model->ncontact; side < count_sides(r); ++side) {
         const int sticks = is_in(r, side, group);
         for (size_t row = 0; row < model->nc && sticks; ++row) {
-            const int enters = r->group[row] == group || gain_of(r, side)[row] != 0.0;
+            const int enters = r->group[row] == group || gain_of(r, side, row) != 0.0;
             size = enters ? fmax(size, fabs(r->motion->lam[row]) * r->length[row]) : size;
         }
         any = any || sticks;
@@ -399,20 +388,14 @@ lag_status lag_reserve_evaluate(lag_reserve *r)
     if (!lag_any(model->nfriction, r->motion->w + r->motion->places.sticks)) {
         return LAG_OK;
     }
-    lag_status status = find_lengths(r);
-    status = status == LAG_OK ? lag_loads_evaluate(&r->loads, model, &r->motion->at) : status;
-    status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
-    if (status != LAG_OK) {
-        return status;
-    }
-    find_forces(r);
+    const lag_status status = find_forces(r);
     lag_fill(model->nq, 0.0, r->looked);
-    for (size_t side = model->ncontact; side < count_sides(r); ++side) {
+    for (size_t side = model->ncontact; side < count_sides(r) && status == LAG_OK; ++side) {
         const size_t set = lag_set_of(r->tied, (size_t)r->place[row_of(r, side)]);
         if (sticks(r, side) && r->looked[set] == 0.0) {
             r->looked[set] = 1.0;
             evaluate_set(r, set);
         }
     }
-    return LAG_OK;
+    return status;
 }

@@ -26,7 +26,6 @@ typedef struct lag_reserve {
     size_t undetermined;     /* so many */
     double *group;           /* (nc) of each row; zero: it shares nothing, or does not act */
     double *force;           /* (nc) multipliers with the largest least reserve */
-    double *gain;            /* (ncontact + nfriction, nc) how the limits of contacts, their forces, and of friction change with multipliers */
     double *empty;           /* (ncontact + nfriction) 1: with these forces it has nothing left */
     lag_loads loads;         /* that forces bring along, as those of friction that slides */
     double *work;

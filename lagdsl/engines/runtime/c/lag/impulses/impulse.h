@@ -89,7 +89,4 @@ lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_i
 /* The speed of row i at rates qd, from its speed at impulse->rates. */
 double lag_impulse_speed_at(const lag_impulse *impulse, const lag_inequalities *rows, size_t i, const double *qd);
 
-/* Newton's method from rates at which all was evaluated; speeds of `rows` (or null) are those at impulse->rates. */
-lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows);
-
 #endif
