@@ -225,11 +225,14 @@ typedef struct program {
     double *memory;
 } program;
 
-static program begin(const lag_reserve *r)
+static program begin(const lag_reserve *r, double group)
 {
     const size_t rows = most_inequalities(r->motion->model);
     double *memory = r->work;
-    program p = {.unknowns = 2 * r->undetermined + 1};
+    program p = {.unknowns = 2 * r->undetermined + 1, .least = 1.0};
+    for (size_t side = 0; side < count_sides(r); ++side) {
+        p.least = is_in(r, side, group) ? fmin(p.least, left_of(r, side, r->motion->lam) / size_of(r, side)) : p.least;
+    }
     p.a = lag_take(&memory, rows * p.unknowns);
     p.b = lag_take(&memory, rows);
     p.c = lag_take(&memory, p.unknowns);
@@ -240,7 +243,8 @@ static program begin(const lag_reserve *r)
     p.c[p.unknowns - 1] = 1.0;
     /* forces may press against each other as much as they like */
     lag_fill(p.unknowns, 0.0, p.a);
-    p.a[p.unknowns - 1] = p.b[p.rows++] = 1.0;
+    p.a[p.unknowns - 1] = 1.0;
+    p.b[p.rows++] = 1.0 - p.least;
     return p;
 }
 
@@ -274,17 +278,6 @@ static void add_side(lag_reserve *r, program *p, size_t side)
     const double ways[FIRST][2] = {{along[0], along[1]}, {-along[0], -along[1]}, {-along[1], along[0]}, {along[1], -along[0]}};
     for (size_t i = 0; i < (count > 0 ? 2 * count : 1); ++i) {
         add_tangent(r, p, side, ways[i]);
-    }
-}
-
-static void shift(program *p)
-{
-    p->least = (double)INFINITY;
-    for (size_t i = 0; i < p->rows; ++i) {
-        p->least = fmin(p->least, p->b[i] / p->a[i * p->unknowns + p->unknowns - 1]);
-    }
-    for (size_t i = 0; i < p->rows; ++i) {
-        p->b[i] -= p->least * p->a[i * p->unknowns + p->unknowns - 1];
     }
 }
 
@@ -340,19 +333,18 @@ static double find_force_size(const lag_reserve *r, double group)
 /* The reserve of a group, and which of its sides have nothing left. */
 static void find_reserve(lag_reserve *r, double group)
 {
-    program p = begin(r);
     double reserve = 0.0;
     int again = 1;
     r->force_size = find_force_size(r, group);
     if (r->force_size == 0.0) {
         return;
     }
+    program p = begin(r, group);
     for (size_t side = 0; side < count_sides(r); ++side) {
         if (is_in(r, side, group)) {
             add_side(r, &p, side);
         }
     }
-    shift(&p);
     for (int k = 0; k <= MORE && again && solve(r, &p, &reserve); ++k) {
         again = refine(r, &p, group, reserve);
     }
