@@ -7,7 +7,6 @@
 #include "lag/elimination/lu.h"
 #include "lag/equations/blocks.h"
 #include "lag/equations/delassus.h"
-#include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
@@ -75,8 +74,6 @@
 #undef solve
 #undef solve_with_loads
 #undef variables
-
-#include "lag/equations/discretes.c"
 
 #define eliminate dynamics_eliminate
 #define pick dynamics_pick

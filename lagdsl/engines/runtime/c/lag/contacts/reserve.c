@@ -75,7 +75,7 @@ static size_t row_of(const lag_reserve *r, size_t side)
     return side < model->ncontact ? model->contact_rows[side] : model->friction_rows[(size_t)r->frictions->first[side - model->ncontact]];
 }
 
-/* How the limit of a side changes with a multiplier: that of a contact is its force. */
+/* The change of the limit of a side with a multiplier. The limit of a contact is its force. */
 static double gain_of(const lag_reserve *r, size_t side, size_t row)
 {
     const lag_model *model = r->motion->model;

@@ -17,7 +17,6 @@
 #ifndef LAG_IMPULSE_H
 #define LAG_IMPULSE_H
 
-#include "lag/equations/discretes.h"
 #include "lag/dynamics.h"
 #include "lag/equations/motion.h"
 #include "lag/impulses/inequalities.h"
