@@ -1,6 +1,6 @@
 /*
- * Tests impulses/impulse.c (momenta are kept but for impulses of constraints), impulses/impulse_step.c (one step of Newton's method solves M and
- * the rows), impulses/impact.c (Newton's law without friction, Poisson's with it) and impulses/inequalities.c (the rows of a blow).
+ * Tests impulses/impulse.c (momenta are kept but for impulses of constraints; Newton's law without friction, Poisson's with it),
+ * impulses/impulse_step.c (one step of Newton's method solves M and the rows, block by block) and impulses/inequalities.c (the rows of a blow).
  */
 #include "law.h"
 

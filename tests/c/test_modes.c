@@ -1,5 +1,5 @@
 /*
- * Tests contacts/modes.c (which modes are looked for, and which go on) and contacts/modes_problem.c (the problem of accelerations, first with the
+ * Tests contacts/modes.c (which modes are looked for, and which go on; the problem of accelerations, first with the
  * limit at rest, then with that of sliding for what slips) on blocks with R = 2 and R_0 = 3.
  */
 #include "law.h"

@@ -100,10 +100,11 @@ static void what_touches_at_rest_may_be_closed(void)
         {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}, {1e-6, 0.0, 0.0}, {1e-13, 0.0, 1.0}};
     lag_model model;
     double closing[1];
+    double pierced[1];
     lag_run *run = ball(&model);
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; ++k) {
         const double x[4] = {cases[k][0], 1e6, cases[k][1], 0.0};
-        CHECK(lag_contacts_touching(&run->instants.contacts, 0.0, x, closing) == LAG_OK);
+        CHECK(lag_contacts_begin(&run->instants.contacts, 0.0, x, closing, pierced) == LAG_OK);
         CHECK((closing[0] != 0.0) == (cases[k][2] != 0.0));
     }
     free(run);
@@ -118,8 +119,8 @@ static void a_gap_is_not_negative_at_the_start_nor_made_so(void)
     lag_contacts *contacts = &run->instants.contacts;
     const double above[4] = {0.0, 1e6, 0.0, 0.0};
     const double below[4] = {-1e-3, 1e6, 0.0, 0.0};
-    CHECK(lag_contacts_penetrating(contacts, 0.0, above, flags) == 0 && flags[0] == 0.0);
-    CHECK(lag_contacts_penetrating(contacts, 0.0, below, flags) == 1 && flags[0] == 1.0);
+    CHECK(lag_contacts_begin(contacts, 0.0, above, gap, flags) == LAG_OK && flags[0] == 0.0);
+    CHECK(lag_contacts_begin(contacts, 0.0, below, gap, flags) == LAG_PENETRATION && flags[0] == 1.0);
     CHECK(lag_contacts_check_gaps(contacts, 0.0, below, above, run->motion.w, gap, flags) == LAG_PENETRATION && flags[0] == 1.0);
     CHECK(lag_contacts_check_gaps(contacts, 0.0, below, below, run->motion.w, gap, flags) == LAG_OK && flags[0] == 0.0); /* nothing has changed */
     free(run);

@@ -5,8 +5,8 @@
 #include "lag/elimination/band.h"
 #include "lag/elimination/complex.h"
 #include "lag/elimination/lu.h"
+#include "lag/equations/blocks.h"
 #include "lag/equations/delassus.h"
-#include "lag/equations/discretes.h"
 #include "lag/equations/entries.h"
 #include "lag/equations/feedback.h"
 #include "lag/equations/jacobian.h"
@@ -16,6 +16,7 @@
 #include "lag/evaluate.h"
 #include "lag/fixed.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/lemke.h"
 #include "lag/linalg/levenberg_marquardt.h"
@@ -48,6 +49,8 @@
 #include "lag/elimination/lu.c"
 #undef swap_rows
 
+#include "lag/equations/blocks.c"
+
 #include "lag/equations/columns.c"
 
 #include "lag/equations/correction.c"
@@ -71,8 +74,6 @@
 #undef solve
 #undef solve_with_loads
 #undef variables
-
-#include "lag/equations/discretes.c"
 
 #define eliminate dynamics_eliminate
 #define pick dynamics_pick

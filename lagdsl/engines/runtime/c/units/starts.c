@@ -3,8 +3,9 @@
 #include "lag/contacts/friction.h"
 #include "lag/contacts/modes.h"
 #include "lag/contacts/reserve.h"
-#include "lag/equations/discretes.h"
+#include "lag/equations/blocks.h"
 #include "lag/equations/entries.h"
+#include "lag/equations/motion.h"
 #include "lag/equations/rank.h"
 #include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse.h"
@@ -17,6 +18,7 @@
 #include "lag/initial/initial_scaling.h"
 #include "lag/initial/nearest_configuration.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/lemke.h"
 #include "lag/linalg/linalg.h"
@@ -59,21 +61,16 @@
 #undef ROUNDING
 #undef row_of
 
-#define BEYOND modes_BEYOND
+#define add_frictions modes_add_frictions
+#define find_rows modes_find_rows
+#define solve modes_solve
 #include "lag/contacts/modes.c"
-#undef BEYOND
-
-#define add_frictions modes_problem_add_frictions
-#define find_rows modes_problem_find_rows
-#define solve modes_problem_solve
-#include "lag/contacts/modes_problem.c"
 #undef add_frictions
 #undef find_rows
 #undef solve
 
 #define NOTHING reserve_NOTHING
 #define begin reserve_begin
-#define find_lengths reserve_find_lengths
 #define left_of reserve_left_of
 #define refine reserve_refine
 #define row_of reserve_row_of
@@ -82,7 +79,6 @@
 #include "lag/contacts/reserve.c"
 #undef NOTHING
 #undef begin
-#undef find_lengths
 #undef left_of
 #undef refine
 #undef row_of
@@ -93,29 +89,29 @@
 #define ROUNDING friction_problem_ROUNDING
 #define begin friction_problem_begin
 #define improve friction_problem_improve
+#define iterate friction_problem_iterate
 #define size_of friction_problem_size_of
 #include "lag/impulses/friction_problem.c"
 #undef MOST_STEPS
 #undef ROUNDING
 #undef begin
 #undef improve
+#undef iterate
 #undef size_of
 
-#include "lag/impulses/impact.c"
-
-#define BEYOND impulse_BEYOND
 #define MOST_STEPS impulse_MOST_STEPS
 #define NOTHING impulse_NOTHING
 #define ROUNDING impulse_ROUNDING
 #define begin impulse_begin
 #define find_sizes impulse_find_sizes
+#define iterate impulse_iterate
 #include "lag/impulses/impulse.c"
-#undef BEYOND
 #undef MOST_STEPS
 #undef NOTHING
 #undef ROUNDING
 #undef begin
 #undef find_sizes
+#undef iterate
 
 #include "lag/impulses/impulse_step.c"
 
@@ -141,9 +137,7 @@
 
 #include "lag/initial/initial_equations_rates.c"
 
-#define find_lengths initial_equations_rows_find_lengths
 #include "lag/initial/initial_equations_rows.c"
-#undef find_lengths
 
 #define TRIES initial_equations_search_TRIES
 #define descend initial_equations_search_descend

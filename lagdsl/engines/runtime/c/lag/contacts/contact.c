@@ -34,29 +34,16 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *
     }
 }
 
-int lag_contacts_penetrating(lag_contacts *contacts, double t, const double *x, double *flags)
-{
-    const size_t count = contacts->motion->model->ncontact;
-    int any = 0;
-    if (count == 0 || lag_contacts_evaluate_at(contacts, t, x) != LAG_OK) {
-        return 0;
-    }
-    for (size_t i = 0; i < count; ++i) {
-        flags[i] = contacts->gap[i] < -lag_contacts_gap_band(contacts, i);
-        any = any || flags[i] != 0.0;
-    }
-    return any;
-}
-
-lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing)
+lag_status lag_contacts_begin(lag_contacts *contacts, double t, const double *x, double *closing, double *pierced)
 {
     const size_t count = contacts->motion->model->ncontact;
     const lag_status status = count > 0 ? lag_contacts_evaluate_at(contacts, t, x) : LAG_OK;
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        const int touches = fabs(contacts->gap[i]) <= lag_contacts_gap_band(contacts, i);
-        closing[i] = touches && fabs(contacts->speed[i]) <= lag_contacts_speed_band(contacts, i);
+        const double band = lag_contacts_gap_band(contacts, i);
+        closing[i] = fabs(contacts->gap[i]) <= band && fabs(contacts->speed[i]) <= lag_contacts_speed_band(contacts, i);
+        pierced[i] = contacts->gap[i] < -band;
     }
-    return status;
+    return status == LAG_OK && lag_any(count, pierced) ? LAG_PENETRATION : status;
 }
 
 double lag_contacts_end_of_bounces(const lag_contacts *contacts)

@@ -59,11 +59,8 @@ double lag_contacts_pace(const lag_contacts *contacts, size_t i);
 double lag_contacts_gap_noise(const lag_contacts *contacts, size_t i);
 double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
 
-/* True if any gap is negative; `flags` (ncontact) marks these. */
-int lag_contacts_penetrating(lag_contacts *contacts, double t, const double *x, double *flags);
-
-/* Flags (ncontact) in `closing` of contacts that touch and do not move apart, as at the start. */
-lag_status lag_contacts_touching(lag_contacts *contacts, double t, const double *x, double *closing);
+/* The start: flags (ncontact) in `closing` of contacts that touch and do not move apart. LAG_PENETRATION: gaps of those flagged in `pierced` are negative. */
+lag_status lag_contacts_begin(lag_contacts *contacts, double t, const double *x, double *closing, double *pierced);
 
 /* Opens closed contacts that do not touch or do not stay. */
 lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x);

@@ -49,19 +49,6 @@ static int find_closing(lag_contacts *contacts, int *driven)
     return lag_any(contacts->motion->model->ncontact, contacts->blows.closing);
 }
 
-/* Contacts that close. */
-static void add_closing(lag_contacts *contacts)
-{
-    for (size_t i = 0; i < contacts->motion->model->ncontact; ++i) {
-        if (contacts->blows.closing[i] != 0.0) {
-            lag_contacts_add_to_blow(contacts, i, contacts->restitution[i]);
-            if (contacts->blows.approach[i] == 0.0) {
-                contacts->blows.approach[i] = contacts->speed[i];
-            }
-        }
-    }
-}
-
 /* Friction under the participants, by what it gains with their impulses. */
 static lag_status add_frictions(lag_contacts *contacts)
 {
@@ -92,21 +79,27 @@ static int is_hit(const lag_contacts *contacts, size_t i)
     return k < rows->normals;
 }
 
-/* Collects the participants: contacts that close, impacts of clauses, and closed contacts, which hold, of their components; friction under them. */
+/* Collects the participants: contacts that close or are driven in, impacts of clauses, and closed contacts, which hold, of their components; friction under them. */
 static lag_status gather(lag_contacts *contacts, const double *collision, const double *restitution)
 {
     const lag_model *model = contacts->motion->model;
-    lag_inequalities_clear(&contacts->blows.rows);
-    add_closing(contacts);
+    lag_blows *blows = &contacts->blows;
+    lag_inequalities_clear(&blows->rows);
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (blows->closing[i] != 0.0 || is_driven(contacts, i, 1)) {
+            lag_contacts_add_to_blow(contacts, i, blows->closing[i] != 0.0 ? contacts->restitution[i] : 0.0);
+        }
+        if (blows->closing[i] != 0.0 && blows->approach[i] == 0.0) {
+            blows->approach[i] = contacts->speed[i];
+        }
+    }
     for (size_t i = 0; collision != NULL && i < model->ncollision; ++i) {
         if (collision[i] != 0.0) {
             lag_contacts_add_to_blow(contacts, model->ncontact + i, restitution[i]);
         }
     }
-    for (size_t k = 0; k < 2 * model->ncontact; ++k) { /* those that are driven in come first */
-        const size_t i = k % model->ncontact;
-        const int holds = *lag_contacts_flag(contacts, i) != 0.0 && contacts->blows.closing[i] == 0.0;
-        if (holds && (k < model->ncontact ? is_driven(contacts, i, 1) : !is_driven(contacts, i, 1) && is_hit(contacts, i))) {
+    for (size_t i = 0; i < model->ncontact; ++i) {
+        if (*lag_contacts_flag(contacts, i) != 0.0 && !is_driven(contacts, i, 1) && is_hit(contacts, i)) {
             lag_contacts_add_to_blow(contacts, i, 0.0);
         }
     }

@@ -45,10 +45,4 @@ void lag_modes_release_frictions(lag_modes *modes);
  */
 lag_status lag_modes_find(lag_modes *modes, double t, const double *x, const double *candidates, const double *left);
 
-/* Parts: sets the modes of what is in `normal` and `loose` by the problem of accelerations. */
-lag_status lag_modes_solve(lag_modes *modes, double t, const double *x);
-
-/* The heading of friction k: along `along` (components) in this sense; zero where it has no length. */
-void lag_modes_set_heading(lag_modes *modes, size_t k, const double *along, double length, double sense);
-
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
+#include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/linear_program.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
@@ -33,16 +34,15 @@ static size_t work_memory(const lag_model *model)
 void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layout *layout)
 {
     const lag_model *model = frictions->motion->model;
-    const size_t sides = model->ncontact + model->nfriction;
     *reserve = (lag_reserve){.motion = frictions->motion, .frictions = frictions};
     if (model->nfriction == 0) {
         return;
     }
-    reserve->jacobian = lag_lay(layout, model->nc * model->nq);
-    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->group, &reserve->force, NULL});
+    reserve->forces = lag_lay(layout, model->nc * model->nq);
+    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->place, &reserve->group, &reserve->force, NULL});
+    lag_lay_all(layout, model->nq, (double **const[]){&reserve->tied, &reserve->looked, NULL});
     reserve->basis = lag_lay(layout, model->nc * model->nc);
-    reserve->gain = lag_lay(layout, sides * model->nc);
-    reserve->empty = lag_lay(layout, sides);
+    reserve->empty = lag_lay(layout, model->ncontact + model->nfriction);
     lag_loads_place(&reserve->loads, model, layout);
     reserve->work = lag_lay(layout, work_memory(model));
 }
@@ -61,6 +61,13 @@ static size_t loads_of(const lag_reserve *r, size_t side)
     return side < contacts ? 0 : lag_frictions_components(r->frictions, side - contacts);
 }
 
+/* 1: a friction, which sticks. */
+static int sticks(const lag_reserve *r, size_t side)
+{
+    const size_t contacts = r->motion->model->ncontact;
+    return side >= contacts && *lag_frictions_sticks(r->frictions, side - contacts) != 0.0;
+}
+
 /* The row of the force of a contact; the first of those that load friction. */
 static size_t row_of(const lag_reserve *r, size_t side)
 {
@@ -68,9 +75,11 @@ static size_t row_of(const lag_reserve *r, size_t side)
     return side < model->ncontact ? model->contact_rows[side] : model->friction_rows[(size_t)r->frictions->first[side - model->ncontact]];
 }
 
-static const double *gain_of(const lag_reserve *r, size_t side)
+/* The change of the limit of a side with a multiplier. The limit of a contact is its force. */
+static double gain_of(const lag_reserve *r, size_t side, size_t row)
 {
-    return r->gain + side * r->motion->model->nc;
+    const lag_model *model = r->motion->model;
+    return side < model->ncontact ? row == model->contact_rows[side] : r->frictions->sticking_gain[(side - model->ncontact) * model->nc + row];
 }
 
 /* The rest of the limit of a side with these forces (nc). */
@@ -81,7 +90,7 @@ static double left_of(const lag_reserve *r, size_t side, const double *force)
     const double load = loads_of(r, side) > 0 ? lag_slip_length(loads_of(r, side), force + row_of(r, side)) : 0.0;
     double limit = side < model->ncontact ? lam[row_of(r, side)] : r->frictions->sticking[side - model->ncontact];
     for (size_t i = 0; i < model->nc; ++i) {
-        limit += gain_of(r, side)[i] != 0.0 ? gain_of(r, side)[i] * (force[i] - lam[i]) : 0.0;
+        limit += gain_of(r, side, i) != 0.0 ? gain_of(r, side, i) * (force[i] - lam[i]) : 0.0;
     }
     return limit - load;
 }
@@ -90,8 +99,7 @@ static double left_of(const lag_reserve *r, size_t side, const double *force)
 static int is_in(const lag_reserve *r, size_t side, double group)
 {
     const size_t row = row_of(r, side);
-    const int holds = loads_of(r, side) == 0 || *lag_frictions_sticks(r->frictions, side - r->motion->model->ncontact) != 0.0;
-    return holds && (r->group[row] == group || (loads_of(r, side) > 1 && r->group[row + 1] == group));
+    return (loads_of(r, side) == 0 || sticks(r, side)) && (r->group[row] == group || (loads_of(r, side) > 1 && r->group[row + 1] == group));
 }
 
 /* The force of a side in which reserves are told. */
@@ -103,56 +111,69 @@ static double size_of(const lag_reserve *r, size_t side)
 
 /* ---- groups ---- */
 
-/* Lengths of the rows that act, and gains of the limits. */
-static lag_status find_lengths(lag_reserve *r)
+/* Lengths of the rows that act, their forces, with the loads that they bring along, and sets of coordinates at which they act together, or share limits. */
+static lag_status find_forces(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
     const size_t n = model->nq;
-    const lag_status status = model->velocity_constraint(&r->motion->at, r->residual, r->jacobian);
-    for (size_t i = 0; i < model->nc; ++i) {
-        r->length[i] = sqrt(lag_dot(n, r->jacobian + i * n, r->jacobian + i * n));
+    lag_status status = model->velocity_constraint(&r->motion->at, r->residual, r->forces);
+    status = status == LAG_OK ? lag_loads_evaluate(&r->loads, model, &r->motion->at) : status;
+    status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
+    lag_separate(n, r->tied);
+    for (size_t row = 0; row < model->nc && status == LAG_OK; ++row) {
+        double *force = r->forces + row * n;
+        r->length[row] = sqrt(lag_dot(n, force, force));
+        for (size_t l = 0; l < model->nload && r->length[row] > 0.0; ++l) { /* a force is the negative of how M qdd - f changes */
+            const double load = r->loads.by_multiplier[l * model->nc + row];
+            for (size_t j = 0; j < n && load != 0.0; ++j) {
+                force[j] -= r->loads.motion[j * model->nload + l] * load;
+            }
+        }
+        r->place[row] = (double)(lag_first(n, force) % n);
+        lag_join_entries(r->tied, n, force, (size_t)r->place[row]);
     }
-    for (size_t i = 0; i < model->ncontact; ++i) {
-        r->gain[i * model->nc + model->contact_rows[i]] = 1.0;
+    for (size_t side = model->ncontact; side < count_sides(r) && status == LAG_OK; ++side) {
+        const size_t row = row_of(r, side);
+        const size_t last = row + loads_of(r, side) - 1;
+        for (size_t i = 0; i < model->nc && sticks(r, side); ++i) {
+            if (gain_of(r, side, i) != 0.0 || i == last) {
+                lag_join(r->tied, (size_t)r->place[row], (size_t)r->place[i]);
+            }
+        }
     }
-    memcpy(r->gain + model->ncontact * model->nc, r->frictions->sticking_gain, model->nfriction * model->nc * sizeof(double));
     return status;
 }
 
-/* The forces of unit rows that act without effect, with the loads that they bring along; 1: there are some. */
-static int find_basis(lag_reserve *r)
+/* The multipliers of unit rows in this set of coordinates that act without effect; 1: there are some. */
+static int find_basis(lag_reserve *r, size_t set)
 {
     const lag_model *model = r->motion->model;
     const size_t n = model->nq;
     double *memory = r->work;
     double *columns = lag_take(&memory, n * model->nc);
     size_t m = 0;
+    size_t rank = 0;
     for (size_t row = 0; row < model->nc; ++row) {
         r->group[m] = (double)row; /* the rows that act, for now */
-        m += r->length[row] > 0.0;
+        m += r->length[row] > 0.0 && lag_set_of(r->tied, (size_t)r->place[row]) == set;
     }
-    for (size_t k = 0; k < m; ++k) {
-        for (size_t j = 0; j < n; ++j) {
+    for (size_t j = set; j < n; ++j) {
+        const int is_own = lag_set_of(r->tied, j) == set;
+        for (size_t k = 0; k < m && is_own; ++k) {
             const size_t row = (size_t)r->group[k];
-            double force = r->jacobian[row * n + j];
-            for (size_t l = 0; l < model->nload; ++l) { /* a force is the negative of how M qdd - f changes */
-                force -= r->loads.motion[j * model->nload + l] * r->loads.by_multiplier[l * model->nc + row];
-            }
-            columns[j * m + k] = force / r->length[row];
+            columns[rank * m + k] = r->forces[row * n + j] / r->length[row];
         }
+        rank += (size_t)is_own;
     }
-    r->undetermined = 0;
-    lag_fill(model->nc * model->nc, 0.0, r->basis);
-    if (m == 0) {
-        return 0;
-    }
-    const lag_svd svd = lag_svd_of(n, m, columns, memory);
-    for (size_t v = lag_svd_rank(&svd, RANK); v < m; ++v) {
+    const lag_svd svd = lag_svd_of(rank, m, columns, memory);
+    rank = lag_svd_rank(&svd, RANK);
+    r->undetermined = m - rank;
+    lag_fill(r->undetermined * model->nc, 0.0, r->basis);
+    for (size_t v = rank; v < m; ++v) {
         for (size_t k = 0; k < m; ++k) {
             const size_t row = (size_t)r->group[k];
-            r->basis[r->undetermined * model->nc + row] = svd.v[v * m + k] / r->length[row];
+            r->basis[(v - rank) * model->nc + row] = svd.v[v * m + k] / r->length[row];
         }
-        ++r->undetermined;
     }
     return r->undetermined > 0;
 }
@@ -167,35 +188,29 @@ static int share(const lag_reserve *r, size_t a, size_t b)
     return fabs(part) * r->length[a] * r->length[b] > RANK;
 }
 
-/* Rows a and b, and those that share forces with them, have one number from now on, if both share any. */
-static void join(lag_reserve *r, size_t a, size_t b)
-{
-    const double one = r->group[a];
-    const double other = r->group[b];
-    for (size_t i = 0; i < r->motion->model->nc && one * other > 0.0; ++i) {
-        r->group[i] = r->group[i] == other ? one : r->group[i];
-    }
-}
-
 /* Rows that share forces have one number, and friction that sticks that of the forces that its limit follows. */
 static void find_groups(lag_reserve *r)
 {
     const lag_model *model = r->motion->model;
+    lag_separate(model->nc, r->group);
     for (size_t a = 0; a < model->nc; ++a) {
-        r->group[a] = share(r, a, a) ? (double)(a + 1) : 0.0;
         for (size_t b = 0; b < a; ++b) {
             if (share(r, a, b)) {
-                join(r, b, a);
+                lag_join(r->group, a, b);
             }
         }
     }
     for (size_t side = model->ncontact; side < count_sides(r); ++side) {
-        const int sticks = *lag_frictions_sticks(r->frictions, side - model->ncontact) != 0.0;
-        for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks; ++i) {
-            if (gain_of(r, side)[i % model->nc] != 0.0) {
-                join(r, row_of(r, side) + i / model->nc, i % model->nc);
+        for (size_t i = 0; i < loads_of(r, side) * model->nc && sticks(r, side); ++i) {
+            const size_t row = row_of(r, side) + i / model->nc;
+            const size_t other = i % model->nc;
+            if (gain_of(r, side, other) != 0.0 && share(r, row, row) && share(r, other, other)) {
+                lag_join(r->group, row, other);
             }
         }
+    }
+    for (size_t row = model->nc; row-- > 0;) { /* those that share none have none */
+        r->group[row] = share(r, row, row) ? (double)(lag_set_of(r->group, row) + 1) : 0.0;
     }
 }
 
@@ -210,11 +225,14 @@ typedef struct program {
     double *memory;
 } program;
 
-static program begin(const lag_reserve *r)
+static program begin(const lag_reserve *r, double group)
 {
     const size_t rows = most_inequalities(r->motion->model);
     double *memory = r->work;
-    program p = {.unknowns = 2 * r->undetermined + 1};
+    program p = {.unknowns = 2 * r->undetermined + 1, .least = 1.0};
+    for (size_t side = 0; side < count_sides(r); ++side) {
+        p.least = is_in(r, side, group) ? fmin(p.least, left_of(r, side, r->motion->lam) / size_of(r, side)) : p.least;
+    }
     p.a = lag_take(&memory, rows * p.unknowns);
     p.b = lag_take(&memory, rows);
     p.c = lag_take(&memory, p.unknowns);
@@ -225,7 +243,8 @@ static program begin(const lag_reserve *r)
     p.c[p.unknowns - 1] = 1.0;
     /* forces may press against each other as much as they like */
     lag_fill(p.unknowns, 0.0, p.a);
-    p.a[p.unknowns - 1] = p.b[p.rows++] = 1.0;
+    p.a[p.unknowns - 1] = 1.0;
+    p.b[p.rows++] = 1.0 - p.least;
     return p;
 }
 
@@ -238,7 +257,7 @@ static void add_tangent(const lag_reserve *r, program *p, size_t side, const dou
     const double load = count > 0 ? lag_slip_length(count, force) : 0.0;
     double *inequality = p->a + p->rows * p->unknowns;
     for (size_t i = 0; i < m; ++i) {
-        p->form[i] = -gain_of(r, side)[i];
+        p->form[i] = -gain_of(r, side, i);
     }
     lag_axpy(count, 1.0, along, p->form + row_of(r, side));
     for (size_t v = 0; v < r->undetermined; ++v) {
@@ -259,17 +278,6 @@ static void add_side(lag_reserve *r, program *p, size_t side)
     const double ways[FIRST][2] = {{along[0], along[1]}, {-along[0], -along[1]}, {-along[1], along[0]}, {along[1], -along[0]}};
     for (size_t i = 0; i < (count > 0 ? 2 * count : 1); ++i) {
         add_tangent(r, p, side, ways[i]);
-    }
-}
-
-static void shift(program *p)
-{
-    p->least = (double)INFINITY;
-    for (size_t i = 0; i < p->rows; ++i) {
-        p->least = fmin(p->least, p->b[i] / p->a[i * p->unknowns + p->unknowns - 1]);
-    }
-    for (size_t i = 0; i < p->rows; ++i) {
-        p->b[i] -= p->least * p->a[i * p->unknowns + p->unknowns - 1];
     }
 }
 
@@ -314,7 +322,7 @@ static double find_force_size(const lag_reserve *r, double group)
     for (size_t side = model->ncontact; side < count_sides(r); ++side) {
         const int sticks = is_in(r, side, group);
         for (size_t row = 0; row < model->nc && sticks; ++row) {
-            const int enters = r->group[row] == group || gain_of(r, side)[row] != 0.0;
+            const int enters = r->group[row] == group || gain_of(r, side, row) != 0.0;
             size = enters ? fmax(size, fabs(r->motion->lam[row]) * r->length[row]) : size;
         }
         any = any || sticks;
@@ -325,19 +333,18 @@ static double find_force_size(const lag_reserve *r, double group)
 /* The reserve of a group, and which of its sides have nothing left. */
 static void find_reserve(lag_reserve *r, double group)
 {
-    program p = begin(r);
     double reserve = 0.0;
     int again = 1;
     r->force_size = find_force_size(r, group);
     if (r->force_size == 0.0) {
         return;
     }
+    program p = begin(r, group);
     for (size_t side = 0; side < count_sides(r); ++side) {
         if (is_in(r, side, group)) {
             add_side(r, &p, side);
         }
     }
-    shift(&p);
     for (int k = 0; k <= MORE && again && solve(r, &p, &reserve); ++k) {
         again = refine(r, &p, group, reserve);
     }
@@ -345,6 +352,20 @@ static void find_reserve(lag_reserve *r, double group)
         if (is_in(r, side, group)) {
             r->frictions->reserve[side] = reserve * size_of(r, side);
             r->empty[side] = left_of(r, side, r->force) <= NOTHING * size_of(r, side);
+        }
+    }
+}
+
+/* The reserves of the groups in one set of coordinates. */
+static void evaluate_set(lag_reserve *r, size_t set)
+{
+    if (!find_basis(r, set)) {
+        return;
+    }
+    find_groups(r);
+    for (size_t row = 0; row < r->motion->model->nc; ++row) {
+        if (r->group[row] == (double)(row + 1)) { /* the first of its group */
+            find_reserve(r, r->group[row]);
         }
     }
 }
@@ -359,17 +380,14 @@ lag_status lag_reserve_evaluate(lag_reserve *r)
     if (!lag_any(model->nfriction, r->motion->w + r->motion->places.sticks)) {
         return LAG_OK;
     }
-    lag_status status = find_lengths(r);
-    status = status == LAG_OK ? lag_loads_evaluate(&r->loads, model, &r->motion->at) : status;
-    status = status == LAG_OK ? lag_loads_gain(&r->loads, model, &r->motion->at) : status;
-    if (status != LAG_OK || !find_basis(r)) {
-        return status;
-    }
-    find_groups(r);
-    for (size_t row = 0; row < model->nc; ++row) {
-        if (r->group[row] == (double)(row + 1)) { /* the first of its group */
-            find_reserve(r, r->group[row]);
+    const lag_status status = find_forces(r);
+    lag_fill(model->nq, 0.0, r->looked);
+    for (size_t side = model->ncontact; side < count_sides(r) && status == LAG_OK; ++side) {
+        const size_t set = lag_set_of(r->tied, (size_t)r->place[row_of(r, side)]);
+        if (sticks(r, side) && r->looked[set] == 0.0) {
+            r->looked[set] = 1.0;
+            evaluate_set(r, set);
         }
     }
-    return LAG_OK;
+    return status;
 }

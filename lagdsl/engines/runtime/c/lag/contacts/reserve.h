@@ -17,14 +17,15 @@
 typedef struct lag_reserve {
     lag_motion *motion;
     lag_frictions *frictions;
-    double *jacobian, *residual; /* (nc, nq) (nc) of the present mode */
+    double *forces, *residual; /* (nc, nq) (nc) rows of the present mode, with the loads that they bring along */
+    double *tied, *looked;   /* (nq) sets of coordinates at which they act together, or share limits; 1: this one was looked at */
+    double *place;           /* (nc) a coordinate of each row */
     double force_size;       /* the largest force of the rows of a group, as if they had unit length */
     double *length;          /* (nc) of each row; zero: it does not act */
-    double *basis;           /* (undetermined, nc) multipliers without effect, orthonormal as forces of unit rows; */
+    double *basis;           /* (undetermined, nc) multipliers in one set without effect, orthonormal as forces of unit rows; */
     size_t undetermined;     /* so many */
     double *group;           /* (nc) of each row; zero: it shares nothing, or does not act */
     double *force;           /* (nc) multipliers with the largest least reserve */
-    double *gain;            /* (ncontact + nfriction, nc) how the limits of contacts, their forces, and of friction change with multipliers */
     double *empty;           /* (ncontact + nfriction) 1: with these forces it has nothing left */
     lag_loads loads;         /* that forces bring along, as those of friction that slides */
     double *work;

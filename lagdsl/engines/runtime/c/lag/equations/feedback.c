@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/elimination/lu.h"

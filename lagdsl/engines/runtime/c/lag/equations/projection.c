@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/blocks.h"
 #include "lag/equations/entries.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/linalg.h"
@@ -20,19 +21,12 @@ static size_t position_rows(const lag_model *model)
     return rows;
 }
 
-/* So many rates may be held. */
-static size_t most_held(const lag_model *model)
-{
-    return model->nreset < model->nq ? model->nreset : model->nq;
-}
-
 size_t lag_projection_memory(const lag_model *model)
 {
     const size_t n = model->nq;
     const size_t m = model->nc;
-    const size_t rows = m + most_held(model);
-    return 4 * m + 2 * rows + 5 * n + model->nz + rows * n + m * n + n * n + lag_correction_memory(model) +
-           lag_system_memory(n, rows);
+    return 6 * m + 5 * n + model->nz + 2 * m * n + n * n + lag_correction_memory(model) +
+           lag_larger(lag_system_memory(n, m), lag_blocks_memory(model));
 }
 
 /* All belong together where nobody tells what the rows hold. */
@@ -72,7 +66,6 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
 {
     const size_t n = motion->model->nq;
     const size_t m = motion->model->nc;
-    const size_t rows = m + most_held(motion->model);
     memset(projection, 0, sizeof *projection);
     projection->motion = motion;
     projection->rows = position_rows(motion->model);
@@ -86,11 +79,11 @@ void lag_projection_place(lag_projection *projection, lag_motion *motion, double
     projection->jacobian = motion->written.rows[1];
     projection->step.mass = projection->phi + m;
     projection->step.chosen = projection->step.mass + n * n;
-    projection->step.right = projection->step.chosen + rows * n;
-    projection->step.force = projection->step.right + rows;
+    projection->step.right = projection->step.chosen + m * n;
+    projection->step.force = projection->step.right + m;
     projection->step.change = projection->step.force + n;
     projection->step.lam = projection->step.change + n;
-    projection->step.response = projection->step.lam + rows;
+    projection->step.response = projection->step.lam + m;
     projection->point = projection->step.response + m * n;
     projection->component = projection->point + n;
     projection->largest = projection->component + m;
@@ -253,49 +246,26 @@ lag_status lag_projection_exact(lag_projection *projection, double t, double *x,
     return status;
 }
 
-/* The change of the rates that makes the residuals vanish and leaves what is held; *reached: it does. */
-static lag_status change_rates(lag_projection *projection, const double *held, int *reached)
+/* Adds the change of the rates x that makes the residuals vanish, and leaves what is held. */
+static lag_status change_rates(lag_projection *projection, const double *held, double *x)
 {
     const lag_model *model = projection->motion->model;
-    const size_t n = model->nq;
-    size_t rows = model->nc;
-    lag_system system;
-    *reached = 1;
-    clear_largest(projection, 0.0);
-    memcpy(projection->step.chosen, projection->jacobian, rows * n * sizeof(double));
-    for (size_t i = 0; i < rows; ++i) {
-        projection->step.right[i] = -projection->phi[i];
-        enlarge(projection, (size_t)projection->component[i], fabs(projection->phi[i]) * LAG_ROUNDING / projection->round_off[i]);
-    }
-    for (size_t j = 0; j < n && held != NULL; ++j) {
-        if (held[j] != 0.0) {
-            memset(projection->step.chosen + rows * n, 0, n * sizeof(double));
-            projection->step.chosen[rows * n + j] = 1.0;
-            projection->step.right[rows++] = 0.0;
+    lag_blocks blocks = lag_blocks_of(model, projection->step.mass, projection->jacobian, projection->step.system);
+    lag_status status = LAG_OK;
+    for (size_t which = 0; which < model->nq && status == LAG_OK; ++which) {
+        if (lag_blocks_take(&blocks, which)) {
+            status = lag_blocks_solve(&blocks, projection->step.force, projection->phi, held, NULL);
+            lag_blocks_scatter(&blocks, blocks.change, projection->step.change);
         }
     }
-    const size_t most = model->rank + (rows - model->nc);
-    lag_system_place(&system, n, rows, model->components, projection->step.system);
-    const lag_status status = lag_system_factor(&system, projection->step.mass, projection->step.chosen, most, NULL);
-    if (status != LAG_OK) {
-        *reached = 0;
-        return status;
-    }
-    lag_system_solve(&system, projection->step.force, projection->step.right, projection->step.change, projection->step.lam);
-    for (size_t i = 0; i < rows; ++i) {
-        const double rest = lag_dot(n, projection->step.chosen + i * n, projection->step.change) - projection->step.right[i];
-        const double size = i < model->nc ? largest_beside(projection, i) : 0.0;
-        const double unit = i < model->nc ? projection->round_off[i] / LAG_ROUNDING : 1.0;
-        *reached = *reached && fabs(rest) <= LAG_REACHED * (1.0 + size) * unit;
-    }
-    return LAG_OK;
+    lag_axpy(status == LAG_OK ? model->nq : 0, 1.0, projection->step.change, x + model->nq);
+    return status;
 }
 
 lag_status lag_projection_rates(lag_projection *projection, double t, double *x, const double *held)
 {
     lag_motion *motion = projection->motion;
     const lag_model *model = motion->model;
-    int reached = 0;
     if (model->nc == 0) {
         return LAG_OK;
     }
@@ -310,19 +280,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
         return LAG_OK;
     }
     status = model->mass_matrix(&motion->at, projection->step.mass);
-    if (status != LAG_OK) {
-        return status;
-    }
-    if (held != NULL) {
-        status = change_rates(projection, held, &reached);
-    }
-    if (!reached) {
-        status = change_rates(projection, NULL, &reached);
-    }
-    for (size_t i = 0; i < model->nq && status == LAG_OK; ++i) {
-        x[model->nq + i] += projection->step.change[i];
-    }
-    return status;
+    return status == LAG_OK ? change_rates(projection, held, x) : status;
 }
 
 double lag_projection_distance(lag_projection *projection, double t, const double *x, size_t row)

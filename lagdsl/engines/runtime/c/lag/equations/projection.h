@@ -16,12 +16,12 @@ typedef struct lag_projection_step {
     int formed;            /* where it is that of the present projection */
     int factored;          /* the system is that of the residuals that were looked at last */
     lag_system solver;
-    double *chosen;        /* (nc + most held, nq) */
-    double *right, *force; /* (nc + most held) (nq) */
-    double *change, *lam;  /* (nq) (nc + most held) */
+    double *chosen;        /* (nc, nq) */
+    double *right, *force; /* (nc) (nq) */
+    double *change, *lam;  /* (nq) (nc) */
     double *response;      /* (nc, nq) */
     double *correction;
-    double *system;
+    double *system;        /* memory of it, or of its blocks */
 } lag_projection_step;
 
 typedef struct lag_projection {

@@ -1,6 +1,6 @@
 #include "lag/event_notice.h"
 
-#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
 
 const char *lag_event_notice_name(const lag_model *model, const lag_event_notice *notice)
 {

@@ -164,10 +164,8 @@ lag_status lag_instants_begin(lag_instants *instants, double t, double *x)
     instants->timed.length = instants->contacts.length;
     instants->timed.shown = t;
     status = status == LAG_OK ? initialize(instants, t, x) : status;
-    if (status == LAG_OK) {
-        const int pierced = lag_contacts_penetrating(&instants->contacts, t, x, instants->discretes.guilty + instants->motion->places.contact);
-        status = pierced ? LAG_PENETRATION : lag_contacts_touching(&instants->contacts, t, x, instants->contacts.blows.closing);
-    }
+    double *pierced = instants->discretes.guilty + instants->motion->places.contact;
+    status = status == LAG_OK ? lag_contacts_begin(&instants->contacts, t, x, instants->contacts.blows.closing, pierced) : status;
     instants->modes.jumped = 1; /* nothing is known of them */
     status = status == LAG_OK ? lag_modes_find(&instants->modes, t, x, instants->contacts.blows.closing, NULL) : status;
     status = status == LAG_OK ? start_clocks(instants, t) : status;

@@ -8,7 +8,6 @@
 #ifndef LAG_TIMED_H
 #define LAG_TIMED_H
 
-#include "lag/equations/discretes.h"
 #include "lag/equations/motion.h"
 #include "lag/linalg/arena.h"
 

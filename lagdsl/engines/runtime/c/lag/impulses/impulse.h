@@ -17,7 +17,6 @@
 #ifndef LAG_IMPULSE_H
 #define LAG_IMPULSE_H
 
-#include "lag/equations/discretes.h"
 #include "lag/dynamics.h"
 #include "lag/equations/motion.h"
 #include "lag/impulses/inequalities.h"
@@ -88,8 +87,5 @@ lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_i
 
 /* The speed of row i at rates qd, from its speed at impulse->rates. */
 double lag_impulse_speed_at(const lag_impulse *impulse, const lag_inequalities *rows, size_t i, const double *qd);
-
-/* Newton's method from rates at which all was evaluated; speeds of `rows` (or null) are those at impulse->rates. */
-lag_status lag_impulse_iterate(lag_impulse *impulse, double t, double *x, const double *held, lag_inequalities *rows);
 
 #endif

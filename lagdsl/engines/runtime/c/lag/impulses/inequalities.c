@@ -11,7 +11,8 @@ void lag_inequalities_place(lag_inequalities *inequalities, const lag_model *mod
     lag_lay_all(layout, most, (double **const[]){&inequalities->speed, &inequalities->force, &inequalities->after, &inequalities->scale,
         &inequalities->compliance, &inequalities->start, &inequalities->first, NULL});
     lag_lay_all(layout, model->ngap, (double **const[]){&inequalities->gap, &inequalities->restitution, NULL});
-    lag_lay_all(layout, model->nfriction, (double **const[]){&inequalities->friction, &inequalities->components, &inequalities->limits, NULL});
+    lag_lay_all(layout, model->nfriction, (double **const[]){&inequalities->friction, &inequalities->components, &inequalities->slip,
+        &inequalities->limits, NULL});
     inequalities->coefficients = lag_lay(layout, model->nfriction * model->ngap);
     lag_inequalities_clear(inequalities);
 }
@@ -40,6 +41,7 @@ void lag_inequalities_add_normal(lag_inequalities *inequalities, size_t nq, size
 void lag_inequalities_add_friction(lag_inequalities *inequalities, size_t nq, size_t friction, size_t components, const double *rows, const double *speed)
 {
     const size_t k = inequalities->frictions++;
+    inequalities->slip[k] = (double)inequalities->size;
     for (size_t a = 0; a < components; ++a) {
         add(inequalities, nq, rows + a * nq, speed[a]);
     }

@@ -34,7 +34,8 @@ typedef struct lag_inequalities {
     double *speed;        /* (size) rates or accelerations to which impulses or forces add */
     double *gap, *restitution; /* (normals) the contact of each, or collision behind them */
     double *friction;     /* (frictions) which each is */
-    double *components;   /* (frictions) 1 or 2 */
+    double *components;   /* (frictions) 1 or 2, */
+    double *slip;         /* (frictions) from this row on */
     double *limits;       /* (frictions) of friction, without the part that follows normal forces, */
     double *coefficients; /* (frictions, normals) and this part for unit ones */
     double *force;        /* (size) forces or impulses that were found, */

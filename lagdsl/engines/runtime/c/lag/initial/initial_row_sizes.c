@@ -1,5 +1,5 @@
 /* Rows are as large as their derivatives usually come out, at the start and at points about it. */
-#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
 #include "lag/equations/entries.h"
 #include "lag/initial/initial_scaling.h"
 #include "lag/linalg/arena.h"

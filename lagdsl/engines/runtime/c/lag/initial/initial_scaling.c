@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "lag/methods/accuracy.h"
-#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
 #include "lag/linalg/arena.h"
 
 /* A written start value that cannot be held weighs 100 times another: the square of this. */

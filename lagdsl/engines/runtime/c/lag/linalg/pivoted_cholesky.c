@@ -98,33 +98,25 @@ static void forget_chosen(lag_pivoted_cholesky *c, size_t i)
     c->count[i] = (double)left;
 }
 
-static void mark_row(lag_pivoted_cholesky *c, size_t i, double value)
-{
-    for (size_t k = 0; k < (size_t)c->count[i]; ++k) {
-        c->mark[lag_pivoted_cholesky_beside(c, i, k)] = value;
-    }
-}
-
 /* Takes from the entries of row `number` of the list of a pivot with the later ones there what these have through it. */
 static void update(lag_pivoted_cholesky *c, size_t pivot, size_t number)
 {
     const size_t i = lag_pivoted_cholesky_beside(c, pivot, number);
+    const size_t end = (size_t)c->count[pivot];
     const double own = *lag_pivoted_cholesky_entry(c, pivot, i);
-    const int some_lack = c->count[i] < (double)(c->n - 1);
-    if (some_lack) {
-        mark_row(c, i, 1.0);
+    const double mark = c->place[pivot] * (double)c->n + (double)number + 1.0; /* of no other row before */
+    const int some_lack = number + 1 < end && c->count[i] < (double)(c->n - 1);
+    for (size_t k = 0; k < (size_t)c->count[i] && some_lack; ++k) {
+        c->mark[lag_pivoted_cholesky_beside(c, i, k)] = mark;
     }
-    for (size_t k = number + 1; k < (size_t)c->count[pivot]; ++k) {
+    for (size_t k = number + 1; k < end; ++k) {
         const size_t other = lag_pivoted_cholesky_beside(c, pivot, k);
         const double part = own * *lag_pivoted_cholesky_entry(c, pivot, other);
-        if (some_lack && c->mark[other] == 0.0) {
+        if (some_lack && c->mark[other] != mark) {
             lag_pivoted_cholesky_join(c, i, other, -part);
         } else {
             *lag_pivoted_cholesky_entry(c, i, other) -= part;
         }
-    }
-    if (some_lack) {
-        mark_row(c, i, 0.0);
     }
 }
 

@@ -19,7 +19,7 @@ typedef struct lag_pivoted_cholesky {
     double *place;          /* (n) where each stands there, n for rows that are not chosen */
     double *size;           /* (n) of the rests */
     double *heap, *at;      /* (n) (n) rows by these, the longest first; where each is */
-    double *mark;           /* (n) */
+    double *mark;           /* (n) the last row, and pivot, in whose list each was seen */
 } lag_pivoted_cholesky;
 
 /* Doubles for n rows. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
 #include "lag/linalg/arena.h"
 #include "lag/run.h"
 #include "lag/run/course.h"

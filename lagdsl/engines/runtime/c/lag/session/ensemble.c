@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "lag/equations/discretes.h"
+#include "lag/equations/motion.h"
 #include "lag/linalg/arena.h"
 #include "lag/session/lane.h"
 #include "lag/session/motions.h"
