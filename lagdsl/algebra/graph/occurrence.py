@@ -14,8 +14,10 @@ Indices = NDArray[np.intp]
 
 
 class Dependences:
-    """The symbols in each of some expressions. Those of one are listed, ascending, when they are asked for: where every
-    expression has nearly every symbol, lists of all take as many times the memory of their bits as a number has bits.
+    """The symbols in each of some expressions. A list of those of one, ascending, is made for the caller who asks.
+
+    Lists of all would take as many times the memory of their bits as a number has bits, and in a chain of relative
+    angles each expression has nearly all symbols.
     """
 
     def __init__(self, numbers: Indices, sets: Sequence[tuple[int, int] | None]) -> None:
@@ -34,7 +36,7 @@ class Dependences:
 
     @property
     def counts(self) -> list[int]:
-        """How many symbols each expression has."""
+        """Numbers of symbols, one for each expression."""
         return [0 if found is None else found[1].bit_count() for found in self._sets]
 
 

@@ -236,7 +236,7 @@ static lag_status change_with_time(lag_instants *instants, double t, double *x, 
     return status == LAG_OK ? lag_impulse_balance(impulse, t, x, NULL, NULL, jumped) : status;
 }
 
-/* What time has changed, and relations that have turned so far. */
+/* Tells changes with time, and relations that have turned so far. */
 static lag_status report_turns(lag_instants *instants, double t, const double *x)
 {
     const lag_model *model = instants->motion->model;

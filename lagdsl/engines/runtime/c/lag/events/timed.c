@@ -95,7 +95,7 @@ static double zero_in(distance *one, const double *t, const double *values, int 
     return (double)INFINITY;
 }
 
-/* How well samples tell the shape of a piece, as a part of the largest of them. Waves between them show in rates that do not lead from one to the next. */
+/* Doubt about the shape of a piece by its samples, as a part of the largest of them. Waves between samples show in rates that do not lead from one to the next. */
 static double doubt_of(const double *t, const double *values, const double *rates)
 {
     double most = 0.0;
