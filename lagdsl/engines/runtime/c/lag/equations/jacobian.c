@@ -97,7 +97,7 @@ size_t lag_jacobian_memory(const lag_model *model, const lag_tangents *tangents)
     const size_t lanes = lanes_of(tangents) * (variables(model) + 2 * n + 2 * m + model->nz + model->ny + 1);
     const size_t kept = model->nk * (2 * n + m + 1) + lag_delassus_memory(m, model->nk);
     const size_t dense = n * n + m * n + lag_system_memory(n, m);
-    return lanes + 3 * n + 3 * m + kept + dense + lag_dynamics_memory(model);
+    return lanes + 3 * n + 3 * m + kept + dense + lag_dynamics_memory(model) + lag_linearization_memory(model, lanes_of(tangents));
 }
 
 size_t lag_jacobian_workspace(const lag_model *model, const lag_tangents *tangents)

@@ -15,8 +15,10 @@ typedef struct lag_range {
 /* Doubles that the workspace needs. `tangents` may be null in all functions of this file: one direction after the other. */
 size_t lag_jacobian_workspace(const lag_model *model, const lag_tangents *tangents);
 
-/* Doubles that are needed beside the workspace. */
+/* Doubles that are needed beside the workspace, also by lag_motion_linearize(). */
 size_t lag_jacobian_memory(const lag_model *model, const lag_tangents *tangents);
+/* Of these, what the equations along all groups of columns take, in so many lanes. */
+size_t lag_linearization_memory(const lag_model *model, size_t lanes);
 
 /*
  * d(qd, qdd, zd)/dx (2 nq + nz, count) and, unless null, dy/dx (ny, count) at t q qd z u w p, after prepare(). LAG_SINGULAR and

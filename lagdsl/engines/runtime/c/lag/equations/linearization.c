@@ -2,6 +2,7 @@
  * Columns that share no row along one direction (Curtis, Powell, Reid, J. Inst. Maths Applics 13 (1974) 117). M and J, which multiply accelerations
  * and multipliers, need no directions of their own.
  */
+#include "lag/equations/jacobian.h"
 #include "lag/equations/motion.h"
 
 #include "lag/linalg/arena.h"
@@ -10,7 +11,7 @@
 /* Arrays in lanes: directions of q, qd, z, u, p, then of accelerations and multipliers, and what follows from them. */
 typedef struct places {
     double *x, *dqdd, *dlam;
-    double *motion, *rows, *rates; /* (nq) (nc) (nz) */
+    double *motion, *rows, *rates; /* (nq) (nc) (nz), of all groups, as many at once as there are lanes */
     double *qdd, *lam, *pivot;     /* of the functions of several directions; (nq), (nc), in lanes */
 } places;
 
@@ -22,16 +23,32 @@ typedef struct functions {
     lag_status (*state_derivative)(const lag_arguments *at, double *rates);
 } functions;
 
+/* Groups of columns, as many as fill all lanes. */
+static size_t groups_of(const lag_model *model, size_t lanes)
+{
+    const lag_patterns *patterns = model->patterns;
+    const int told = patterns != NULL && patterns->equations != NULL;
+    const size_t state = told ? lag_pattern_groups(2 * model->nq + model->nz, patterns->group) : 0;
+    const size_t values = told ? lag_pattern_groups(model->nq + model->nc, patterns->value_group) : 0;
+    return (lag_larger(state, values) + lanes - 1) / lanes * lanes;
+}
+
+size_t lag_linearization_memory(const lag_model *model, size_t lanes)
+{
+    return groups_of(model, lanes) * (model->nq + model->nc + model->nz);
+}
+
 /* In lag_jacobian_memory(), which has these arrays, too. */
 static places place(const lag_model *model, size_t lanes, double *memory)
 {
+    const size_t groups = groups_of(model, lanes);
     places to;
     to.x = lag_take(&memory, lanes * (2 * model->nq + model->nz + model->nu + model->np));
     to.dqdd = lag_take(&memory, lanes * model->nq);
     to.dlam = lag_take(&memory, lanes * model->nc);
-    to.motion = lag_take(&memory, lanes * model->nq);
-    to.rows = lag_take(&memory, lanes * model->nc);
-    to.rates = lag_take(&memory, lanes * model->nz);
+    to.motion = lag_take(&memory, groups * model->nq);
+    to.rows = lag_take(&memory, groups * model->nc);
+    to.rates = lag_take(&memory, groups * model->nz);
     to.pivot = lag_take(&memory, lanes);
     to.qdd = lag_take(&memory, model->nq);
     to.lam = lag_take(&memory, model->nc);
@@ -87,14 +104,18 @@ static void set_directions(size_t first, size_t end, const size_t *of, size_t gr
     }
 }
 
-/* Entries of rows first and following, in columns from `column` on, out of the lanes of `rows` rows. */
-static void take(const lag_pattern *pattern, size_t first, size_t rows, size_t column, size_t columns, const size_t *of, size_t group,
-    size_t lanes, double sign, const double *found, double *entries)
+/* Entries of rows first and following, in columns from `column` on, which ascend, out of the lanes of `rows` rows along all groups. */
+static void take(const lag_pattern *pattern, size_t first, size_t rows, size_t column, size_t columns, const size_t *of, size_t lanes,
+    double sign, const double *found, double *entries)
 {
-    for (size_t k = pattern->first[first]; k < pattern->first[first + rows]; ++k) {
-        const size_t j = pattern->column[k] - column;
-        if (j < columns && of[j] - group < lanes) {
-            entries[k] = sign * found[(pattern->row[k] - first) * lanes + of[j] - group];
+    for (size_t i = first; i < first + rows; ++i) {
+        size_t k = pattern->first[i];
+        while (k < pattern->first[i + 1] && pattern->column[k] < column) {
+            ++k;
+        }
+        for (; k < pattern->first[i + 1] && pattern->column[k] < column + columns; ++k) {
+            const size_t group = of[pattern->column[k] - column];
+            entries[k] = sign * found[(group / lanes * rows + i - first) * lanes + group % lanes];
         }
     }
 }
@@ -109,14 +130,16 @@ static lag_status by_state(const lag_model *model, const functions *f, const pla
     lag_status status = LAG_OK;
     for (size_t group = 0; group < count && status == LAG_OK; group += f->lanes) {
         set_directions(0, n, of, group, f->lanes, 1.0, to->x);
-        status = f->residual(&f->at, to->motion, to->rows);
-        take(pattern, 0, model->nq, 0, n, of, group, f->lanes, -1.0, to->motion, entries);
-        take(pattern, model->nq + model->nz, model->nc, 0, n, of, group, f->lanes, -1.0, to->rows, entries);
+        status = f->residual(&f->at, to->motion + group * model->nq, to->rows + group * model->nc);
         if (status == LAG_OK && model->nz > 0) {
-            status = f->state_derivative(&f->at, to->rates);
-            take(pattern, model->nq, model->nz, 0, n, of, group, f->lanes, 1.0, to->rates, entries);
+            status = f->state_derivative(&f->at, to->rates + group * model->nz);
         }
         set_directions(0, n, of, group, f->lanes, 0.0, to->x);
+    }
+    if (status == LAG_OK) {
+        take(pattern, 0, model->nq, 0, n, of, f->lanes, -1.0, to->motion, entries);
+        take(pattern, model->nq, model->nz, 0, n, of, f->lanes, 1.0, to->rates, entries);
+        take(pattern, model->nq + model->nz, model->nc, 0, n, of, f->lanes, -1.0, to->rows, entries);
     }
     return status;
 }
@@ -132,10 +155,12 @@ static lag_status of_rates_by_values(const lag_model *model, const functions *f,
     for (size_t group = 0; group < count && status == LAG_OK; group += f->lanes) {
         set_directions(0, model->nq, of, group, f->lanes, 1.0, to->dqdd);
         set_directions(model->nq, values, of, group, f->lanes, 1.0, to->dlam);
-        status = f->state_derivative(&f->at, to->rates);
-        take(pattern, model->nq, model->nz, lag_motion_size(model), values, of, group, f->lanes, 1.0, to->rates, entries);
+        status = f->state_derivative(&f->at, to->rates + group * model->nz);
         set_directions(0, model->nq, of, group, f->lanes, 0.0, to->dqdd);
         set_directions(model->nq, values, of, group, f->lanes, 0.0, to->dlam);
+    }
+    if (status == LAG_OK && count > 0) {
+        take(pattern, model->nq, model->nz, lag_motion_size(model), values, of, f->lanes, 1.0, to->rates, entries);
     }
     return status;
 }
@@ -162,9 +187,11 @@ static lag_status take_mass(const lag_motion *motion, const places *to, double *
     at.dqd = to->dqdd;
     for (size_t group = 0; group < count && status == LAG_OK; ++group) {
         set_directions(0, n, of, group, 1, 1.0, to->dqdd);
-        status = model->momentum_tangent(&at, to->motion);
-        take(pattern, 0, n, state, n, of, group, 1, -1.0, to->motion, entries);
+        status = model->momentum_tangent(&at, to->motion + group * n);
         set_directions(0, n, of, group, 1, 0.0, to->dqdd);
+    }
+    if (status == LAG_OK) {
+        take(pattern, 0, n, state, n, of, 1, -1.0, to->motion, entries);
     }
     return status;
 }

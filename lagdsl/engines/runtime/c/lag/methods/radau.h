@@ -201,12 +201,17 @@ size_t lag_radau_level(const lag_stepper *s, double factor);
 /* x (n) becomes the solution of the real system for it. */
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
 
+/* Of `count` stages, numbers that are `apart` from one to the next: those of the state with multipliers behind it, and accelerations behind nq others. */
+typedef struct lag_radau_stages {
+    size_t count, apart;
+    const double *x, *rates; /* null: zero */
+} lag_radau_stages;
+
 /*
- * out (size) += factor * entries times x (size): of the equations x has multipliers behind the state, and `rates` (n), or null, stand for accelerations.
- * Rows of coordinates add nothing, nor do the rates of states themselves.
+ * out (stages, size) += factor (stages) times the product of the entries, those of the equations or of df/dx, with these numbers. Rows of coordinates add
+ * nothing, nor do the rates of states themselves.
  */
-void lag_radau_product(
-    const lag_ode *ode, const double *entries, double factor, const double *x, const double *rates, double *out);
+void lag_radau_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out);
 
 /*
  * The residuals of the rates, x (stages, n), as right sides (stages, size) of the systems: as they are, or times what the equations have in front of

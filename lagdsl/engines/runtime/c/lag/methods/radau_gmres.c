@@ -23,13 +23,19 @@ typedef struct least_squares {
     double cosine[MOST], sine[MOST], right[MOST + 1];
 } least_squares;
 
-/* out (size) = the change of the Jacobian, from the middle of the step to a place, times x (size) and `rates` (n). */
-static void change(const lag_ode *ode, const lag_radau_places *at, double place, double sign, const double *x, const double *rates, double *out)
+/* out (stages, size) = sign * the change of the Jacobian, from the middle of the step to each stage, times what is there. */
+static void change(const lag_ode *ode, const lag_radau_places *at, double sign, const lag_radau_stages *of, double *out)
 {
-    const double part = place - 0.5;
-    memset(out, 0, lag_radau_size(ode) * sizeof(double));
-    lag_radau_product(ode, at->change, sign * part, x, rates, out);
-    lag_radau_product(ode, at->bend, sign * part * part, x, rates, out);
+    double linear[STAGES];
+    double square[STAGES];
+    for (size_t k = 0; k < of->count; ++k) {
+        const double part = at->table->node[k] - 0.5;
+        linear[k] = sign * part;
+        square[k] = sign * part * part;
+    }
+    memset(out, 0, of->count * lag_radau_size(ode) * sizeof(double));
+    lag_radau_product(ode, at->change, linear, of, out);
+    lag_radau_product(ode, at->bend, square, of, out);
 }
 
 /* out = v - solution of the decomposed systems for (the change of the Jacobian up to the stages, from the middle on) v */
@@ -47,9 +53,8 @@ static void apply(const lag_ode *ode, const lag_radau_places *at, double h, cons
     for (size_t i = 0; i < stages * size && lag_radau_is_sparse(ode); ++i) {
         rates[i] /= h;
     }
-    for (size_t k = 0; k < stages; ++k) {
-        change(ode, at, table->node[k], 1.0, out + k * size, rates + k * size, product + k * size);
-    }
+    const lag_radau_stages of = {stages, size, out, rates};
+    change(ode, at, 1.0, &of, product);
     lag_radau_transform(size, stages, table->inverse, product, out);
     lag_radau_decomposed(ode, at, out);
     for (size_t i = 0; i < stages * size; ++i) {
@@ -66,9 +71,8 @@ void lag_radau_change_sides(const lag_ode *ode, const lag_radau_places *at, cons
     double *changed = product + STAGES * size;
     double *rates = changed + STAGES * size;
     lag_radau_transform(ode->size, stages, table->transform, residual, rates);
-    for (size_t k = 0; k < stages; ++k) {
-        change(ode, at, table->node[k], -1.0, NULL, rates + k * ode->size, product + k * size);
-    }
+    const lag_radau_stages of = {stages, ode->size, NULL, rates};
+    change(ode, at, -1.0, &of, product);
     lag_radau_transform(size, stages, table->inverse, product, changed);
     for (size_t i = 0; i < stages * size; ++i) {
         sides[i] += changed[i];

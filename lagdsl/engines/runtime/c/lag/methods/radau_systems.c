@@ -300,42 +300,57 @@ void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double
     }
 }
 
-/*
- * Adds the entries of a row from k on whose columns, which ascend, are before `end`, times the numbers of x, which begin at the column `first`. Null: they
- * are zero. Returns the entry behind them.
- */
-static size_t add_entries(
-    const lag_radau_row *row, const double *entries, size_t k, size_t end, const double *x, size_t first, double *sum)
+/* The first entry of a row, whose columns ascend, that is in a column from `column` on. */
+static size_t entry_from(const lag_radau_row *row, size_t column)
 {
-    double total = *sum;
-    for (; k < row->end && row->column[k] < end; ++k) {
-        if (x != NULL) {
-            total += entries[k] * x[row->column[k] - first];
+    size_t first = row->first;
+    size_t end = row->end;
+    while (first < end) {
+        const size_t middle = first + (end - first) / 2;
+        if (row->column[middle] < column) {
+            first = middle + 1;
+        } else {
+            end = middle;
         }
     }
-    *sum = total;
-    return k;
+    return first;
 }
 
-void lag_radau_product(const lag_ode *ode, const double *entries, double factor, const double *x, const double *rates, double *out)
+/* The entries from k to before `end` of such a row times the numbers of x, which begin at the column `first`. Null: they are zero. */
+static double of_entries(const lag_radau_row *row, const double *entries, size_t k, size_t end, const double *x, size_t first, double sum)
+{
+    for (; x != NULL && k < end; ++k) {
+        sum += entries[k] * x[row->column[k] - first];
+    }
+    return sum;
+}
+
+/* All stages of a row while its entries are at hand. */
+void lag_radau_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out)
 {
     const size_t n = ode->size;
     for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
-        double sum = 0.0;
-        if (row.column != NULL) {
-            size_t k = add_entries(&row, entries, row.first, n, x, 0, &sum);
-            k = add_entries(&row, entries, k, n + ode->nq, rates != NULL ? rates + ode->nq : NULL, n, &sum);
-            add_entries(&row, entries, k, n + ode->nq + ode->nc, x, ode->nq, &sum);
-        } else if (x != NULL) {
-            sum = lag_dot(n, entries + row.first, x);
+        const size_t rates = row.column != NULL ? entry_from(&row, n) : row.end;
+        const size_t multipliers = row.column != NULL ? entry_from(&row, n + ode->nq) : row.end;
+        for (size_t k = 0; k < of->count; ++k) {
+            const double *x = of->x != NULL ? of->x + k * of->apart : NULL;
+            double sum = 0.0;
+            if (row.column != NULL) {
+                sum = of_entries(&row, entries, row.first, rates, x, 0, sum);
+                sum = of_entries(&row, entries, rates, multipliers, of->rates != NULL ? of->rates + k * of->apart + ode->nq : NULL, n, sum);
+                sum = of_entries(&row, entries, multipliers, row.end, x, ode->nq, sum);
+            } else if (x != NULL) {
+                sum = lag_dot(n, entries + row.first, x);
+            }
+            out[k * lag_radau_size(ode) + ode->nq + i] += factor[k] * sum;
         }
-        out[ode->nq + i] += factor * sum;
     }
 }
 
 void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t stages, const double *x, double *sides)
 {
+    static const double minus[LAG_RADAU_STAGES] = {-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
     for (size_t k = 0; k < stages; ++k) {
         const double *from = x + k * ode->size;
         double *to = sides + k * lag_radau_size(ode);
@@ -343,9 +358,10 @@ void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t
         for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
             to[ode->nq + i] = lag_radau_is_rate(ode, i) ? from[ode->nq + i] : 0.0;
         }
-        if (lag_radau_is_sparse(ode)) {
-            lag_radau_product(ode, at->middle, -1.0, NULL, from, to);
-        }
+    }
+    if (lag_radau_is_sparse(ode)) {
+        const lag_radau_stages of = {.count = stages, .apart = ode->size, .rates = x};
+        lag_radau_product(ode, at->middle, minus, &of, sides);
     }
 }
 

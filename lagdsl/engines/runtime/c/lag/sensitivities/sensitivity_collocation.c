@@ -37,6 +37,7 @@ static void find_sides(const lag_stepper *stepper, const lag_radau_places *at, c
     const size_t size = lag_radau_size(ode);
     const size_t stages = at->table->stages;
     const double h = stepper->t - stepper->t_before;
+    const double one = 1.0;
     lag_radau_transform(size, stages, at->table->slopes, system->z, system->sides);
     for (size_t stage = 0; stage < stages; ++stage) {
         const double *z = system->z + stage * size;
@@ -51,7 +52,8 @@ static void find_sides(const lag_stepper *stepper, const lag_radau_places *at, c
         for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
             side[ode->nq + i] = lag_radau_is_rate(ode, i) ? -rates[ode->nq + i] : 0.0;
         }
-        lag_radau_product(ode, system->jacobian + stage * lag_radau_entries(ode), 1.0, z, rates, side);
+        const lag_radau_stages of = {1, 0, z, rates};
+        lag_radau_product(ode, system->jacobian + stage * lag_radau_entries(ode), &one, &of, side);
     }
     lag_radau_transform(size, stages, at->table->inverse, system->sides, at->sides);
 }
