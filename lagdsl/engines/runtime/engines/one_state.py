@@ -27,7 +27,7 @@ class OneState:
     be accelerated where `solve` finds one."""
 
     def __init__(self, model: NativeModel, layout: Layout) -> None:
-        self._model, self.buffers = model.model, Buffers(model)
+        self._native, self.buffers = model, Buffers(model)  # calls read it, whoever else has let go of the model
         ends = [0, *accumulate(map(layout.size, VECTORS))]
         # one number more than needed everywhere, so that every pointer points at something
         vectors = np.zeros(ends[-1] + 1)
@@ -43,7 +43,7 @@ class OneState:
         self._at = byref(self.arguments)
         memory, qdd = self.buffers.memory.ctypes.data, self._solved.ctypes.data
         lam = qdd + 8 * layout.size(Group.Q)
-        self._solve_call = (self._model, self._at, memory, qdd, lam, byref(self.coordinate))
+        self._solve_call = (model.model, self._at, memory, qdd, lam, byref(self.coordinate))
 
     def set(self, t: float, *vectors: Floats) -> None:
         """q, qd, z, u, w, p."""
@@ -54,7 +54,7 @@ class OneState:
         """Compute what only parameters change, where they did."""
         now = parameters.tobytes()
         if now != self._prepared:
-            runtime_library().prepare(self._model, self._at)
+            runtime_library().prepare(self._native.model, self._at)
             self._prepared = now
 
     def forget(self) -> None:
@@ -70,5 +70,5 @@ class OneState:
     def evaluate(self, number: int, width: int) -> Floats:
         """The results of a function by its number, so many."""
         results = np.zeros(width + 1)
-        runtime_library().evaluate(self._model, number, self._at, results.ctypes.data)
+        runtime_library().evaluate(self._native.model, number, self._at, results.ctypes.data)
         return results[:width]
