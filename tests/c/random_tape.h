@@ -325,6 +325,7 @@ static inline size_t write_random_tape(random_tape *tape)
     put_section(tape, flags, n[LAG_TAPE_NC]);
     put_kinds(tape);
     put_section(tape, flags, n[LAG_TAPE_NINDICATOR]);
+    put_section(tape, flags, n[LAG_TAPE_NINDICATOR]);
     put_section(tape, flags, any(&tape->seed, 1) == 0 ? n[LAG_TAPE_NU] : 0);
     put_section(tape, flags, any(&tape->seed, 1) == 0 ? n[LAG_TAPE_NCONTACT] : 0);
     put_rows(tape, n[LAG_TAPE_NK], n[LAG_TAPE_NC]);
