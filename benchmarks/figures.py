@@ -70,7 +70,8 @@ def _sizes(found: Results, path: Path) -> None:
             family = FAMILIES[name]
             pairs = [(family.parts(p["n"]), p["start"] + p["motion"] if key == "whole" else p[key]) for p in points]
             pairs = [(n, value) for n, value in pairs if value > (1.0 if key == "memory" else 0.0)]  # below: pages
-            axis.loglog(*zip(*pairs, strict=True), "o-", color=f"C{index}", label=family.title) if pairs else None
+            line = f"C{index % 10}{'os'[index // 10]}-"  # ten colours, then the same with squares
+            axis.loglog(*zip(*pairs, strict=True), line, label=family.title) if pairs else None
         low = axis.get_ylim()[0]
         for power, style in ((1.0, ":"), (2.0, "-.")):
             axis.loglog([5, 80], [2 * low, 2 * low * 16**power], style, color="0.6", label=f"slope {power:g}", zorder=0)
