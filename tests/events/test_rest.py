@@ -1,4 +1,5 @@
-"""Contacts come to rest where the times of their bounces accumulate: closed forms of the sums."""
+"""Contacts come to rest where the times of their bounces accumulate: closed forms of the sums. Oscillations do so at
+corners."""
 
 from __future__ import annotations
 
@@ -96,3 +97,19 @@ def test_a_ball_in_an_elevator_rests_by_the_gravity_that_it_feels() -> None:
     exact = sqrt(2.0 / (G + 5.0)) * 3.0
     assert closing(motion) == pytest.approx(exact, rel=1e-9)
     assert motion["h"][-1] == pytest.approx(10.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-8])
+@pytest.mark.parametrize("spring", ["x + max(x, 0 m)", "x + 0.1*abs(x)"])
+def test_an_oscillation_that_dies_away_at_a_corner_rests(spring: str, tolerance: float) -> None:
+    """It passes the corner of its spring ever more weakly. Below the tolerance no step ends there."""
+    text = f"""
+    model Bilinear
+      coordinate Length x(start = 1 m, fixed = true);
+      kinetic 1/2*(1 kg)*der(x)^2;
+      force -(100 N/m)*({spring}) - (2 N.s/m)*der(x) on x;
+    end Bilinear;
+    """
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=100.0, tolerance=tolerance)
+    assert abs(motion["x"][-1]) < tolerance
+    assert motion.statistics.steps < 1500
