@@ -82,8 +82,8 @@ def _jumping(flat: FlatModel) -> tuple[bool, ...]:
     found = set(read)
     unread = list(flat.events.relations)
     while inner := [each for each in unread if each.name in found]:
+        unread = [each for each in unread if each.name not in found]
         found.update(dependence.of_all(each.difference for each in inner))
-        unread = [each for each in unread if each not in inner]
     return tuple(each.name in found for each in flat.events.relations)
 
 
