@@ -186,21 +186,17 @@ static int has_left(const lag_guards *guards, size_t i)
 /* Finds the dead bands of guards that may have left at x at time t, where they are not known. */
 static lag_status find_dead_bands(lag_guards *guards, double t, const double *x)
 {
-    const size_t count = lag_guards_count(guards);
-    int any = 0;
-    for (size_t i = 0; i < count; ++i) {
-        any = any || (guards->changed[i] != 0.0 && guards->band[i] == 0.0 && lag_guards_has_noise(guards, i));
-    }
-    if (!any) {
-        return LAG_OK;
-    }
-    lag_noise_find(guards->noise, t, x);
-    for (size_t i = 0; i < count; ++i) {
+    int found = 0;
+    for (size_t i = 0; i < lag_guards_count(guards); ++i) {
         if (guards->changed[i] != 0.0 && guards->band[i] == 0.0 && lag_guards_has_noise(guards, i)) {
+            if (!found) {
+                lag_noise_find(guards->noise, t, x);
+            }
+            found = 1;
             guards->band[i] = fmax(DBL_MIN, lag_guards_noise(guards, i));
         }
     }
-    return evaluate(guards, t, x);
+    return found ? evaluate(guards, t, x) : LAG_OK;
 }
 
 lag_status lag_guards_detect(lag_guards *guards, double t, const double *x)

@@ -65,8 +65,11 @@ static lag_status sample(lag_run *run)
     lag_status status = LAG_OK;
     for (int k = 0; k <= SAMPLES && status == LAG_OK; ++k) {
         const double place = LAG_SAMPLE_PLACES[k];
-        between(run, place);
-        const double *x = k == 0 ? s->x_before : k == SAMPLES ? s->x : run->point;
+        const int inside = k > 0 && k < SAMPLES;
+        if (inside) {
+            between(run, place);
+        }
+        const double *x = inside ? run->point : k == 0 ? s->x_before : s->x;
         status = evaluate_distances(run, s->t_before + place * (s->t - s->t_before), x, run->guards.corners.far);
         for (size_t i = 0; i < run->motion.model->ncorner; ++i) {
             lag_guards_seen(&run->guards, i)[k] = run->guards.corners.far[i];
