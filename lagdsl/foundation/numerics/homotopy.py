@@ -46,15 +46,20 @@ def release(equations: Equations, independent: Independent, start: Floats) -> Mi
 
 
 def settle(equations: Equations, independent: Independent, found: Minimizer) -> tuple[Minimizer, float]:
-    """`found` after whole steps, as long as each is less than half of the one before, and the length of the next step:
-    how far the solution is, however stiff the equations are."""
+    """`found` after whole steps, as long as each is less than half of one of the two before, and the length of the next
+    step: how far the solution is, however stiff the equations are. A step may leave less of the residual, but be
+    longer than the one before."""
     point = found.point
     step, length = _step(*equations(point), independent(point))
     for _ in range(_STEPS):
-        next_step, next_length = _step(*equations(point - step), independent(point - step))
+        ahead = point - step
+        next_step, next_length = _step(*equations(ahead), independent(ahead))
+        if not next_length < 0.5 * length:
+            ahead = ahead - next_step
+            next_step, next_length = _step(*equations(ahead), independent(ahead))
         if not next_length < 0.5 * length:
             break
-        point, step, length = point - step, next_step, next_length
+        point, step, length = ahead, next_step, next_length
     return (found if point is found.point else _reached(point, equations(point)[0])), length
 
 

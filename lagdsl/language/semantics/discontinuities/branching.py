@@ -4,7 +4,7 @@ over whose corners velocities jump."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from lagdsl.language.flat import expression as fx
 from lagdsl.language.flat import model as fm
@@ -61,16 +61,14 @@ def _stands_beside(flat: fm.FlatModel, row: fx.FlatExpression, corner: fx.FlatEx
 
 
 def _but_for_turns(flat: fm.FlatModel) -> Below:
-    """What stands below; the angle in place of its `wrap`, where a sine or a cosine of it does not jump."""
+    """Operands; the angle in place of its `wrap`, where a sine or a cosine of it does not jump."""
     values = {item.name: item.value for item in flat.named if isinstance(item, fm.Definition)}
     seen: set[int] = set()  # angles of chains share their summands
 
     def below(x: fx.FlatExpression) -> tuple[fx.FlatExpression, ...]:
-        match x:
-            case fx.Function("sin" | "cos", (angle,)):
-                return tuple(summands(angle))
-            case _:
-                return operands(x)
+        if isinstance(x, fx.Function) and x.name in ("sin", "cos"):
+            return tuple(summands(x.arguments[0]))
+        return operands(x)
 
     def summands(angle: fx.FlatExpression) -> Iterator[fx.FlatExpression]:
         stack = [angle]
@@ -79,18 +77,25 @@ def _but_for_turns(flat: fm.FlatModel) -> Below:
             if id(each) in seen:
                 continue
             seen.add(id(each))
-            match each:
-                case fx.Binary("+" | "-", left, right):
-                    stack += [left, right]
-                case fx.Unary("-", turned):
-                    stack.append(turned)
-                case fx.Function("mod", (turned, fx.Number(period))) if period == 2 * math.pi:
-                    stack.append(turned)
-                case fx.Binary("*", fx.Number(times), turned) if times == round(times):
-                    stack.append(turned)
-                case fx.Variable(name) if name in values:
-                    stack.append(values[name])
-                case _:
-                    yield each
+            parts = _up_to_turns(each, values)
+            stack += parts
+            if not parts:
+                yield each
 
     return below
+
+
+def _up_to_turns(angle: fx.FlatExpression, values: Mapping[str, fx.FlatExpression]) -> tuple[fx.FlatExpression, ...]:
+    """Parts that tell the angle but for whole turns; none where it is no sum of such."""
+    if isinstance(angle, fx.Variable):
+        return (values[angle.name],) if angle.name in values else ()
+    if isinstance(angle, fx.Unary):
+        return (angle.operand,) if angle.operator == "-" else ()
+    if isinstance(angle, fx.Function) and angle.name == "mod":
+        turned, period = angle.arguments
+        return (turned,) if isinstance(period, fx.Number) and period.value == 2 * math.pi else ()
+    if isinstance(angle, fx.Binary) and angle.operator in ("+", "-"):
+        return angle.left, angle.right
+    if isinstance(angle, fx.Binary) and angle.operator == "*" and isinstance(angle.left, fx.Number):
+        return (angle.right,) if float(angle.left.value).is_integer() else ()
+    return ()
