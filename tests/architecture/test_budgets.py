@@ -76,7 +76,7 @@ def test_members_are_counted() -> None:
 
 def test_few_constants_have_names() -> None:
     texts = [path.read_text(encoding="utf-8") for path in _sources(RUNTIME, SHELL)]
-    assert sum(len(CONSTANT.findall(text)) for text in texts) <= 200
+    assert sum(len(CONSTANT.findall(text)) for text in texts) <= 199
 
 
 def test_the_hybrid_model_is_no_longer() -> None:

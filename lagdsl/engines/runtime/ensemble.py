@@ -19,7 +19,6 @@ from lagdsl.engines.runtime.run_options import Flags, RunSettings, address, shar
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
 from lagdsl.engines.runtime.signal_tables import TabledInputs
 from lagdsl.engines.runtime.structures import Ensemble, Initial, Status
-from lagdsl.foundation.numerics.sparse_matrix import sparse
 from lagdsl.foundation.record import record
 
 _FAILED: Any = next(field[1] for field in Ensemble._fields_ if field[0] == "failed")
@@ -149,7 +148,6 @@ def _teller(layout: Layout, made: Made, hear: Callable[[int, Failed], None]) -> 
     """The function that C calls after the failure of a run."""
     size = 2 * layout.size(Group.Q) + layout.size(Group.Z)
     count = len(layout.constraints)
-    nothing = sparse(np.zeros((count, 0)))  # who moved is not told
 
     def tell(_context: object, i: int, run: int, status: int, starts: Any, x: Any, told: int | None) -> None:
         view = RunView(run, layout, size, made.p[i])
@@ -158,7 +156,7 @@ def _teller(layout: Layout, made: Made, hear: Callable[[int, Failed], None]) -> 
             initial = Initial.from_address(told)
             dependent = np.array((c_ubyte * count).from_address(initial.dependent))
             row_sizes = np.array((c_double * count).from_address(initial.row_sizes))
-            found = found_of(initial, begun, np.array(x[:size]), view.p, dependent, row_sizes, nothing)
+            found = found_of(initial, begun, np.array(x[:size]), view.p, dependent, row_sizes)
         hear(i, Failed(run=view, status=Status(status), starts=begun, found=found))
 
     return tell

@@ -38,7 +38,6 @@ PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "motion_parameters": (_STATUS, (_AT, _AT)),
     "motion_start": (_STATUS, (_AT, c_double, _AT)),
     "initial_memory": (_SIZE, (_AT,)),
-    "initial_entries": (_SIZE, (_AT, _AT, _AT)),
     "initial_find": (_STATUS, (_AT, _AT, _AT, c_double, _AT, _AT, _AT)),
     "run_size": (_SIZE, (_AT, _AT)),
     "run_place": (_AT, (_AT, _AT, _AT)),

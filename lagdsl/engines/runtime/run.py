@@ -14,13 +14,11 @@ from lagdsl.engines.runtime.engines.buffers import Buffers, place_of, zeros_of
 from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.engines.native_model import NativeModel
 from lagdsl.engines.runtime.held_inputs import HeldInputs
-from lagdsl.engines.runtime.library import runtime_library
 from lagdsl.engines.runtime.run_options import Flags, RunSettings, ToldOptions
 from lagdsl.engines.runtime.run_results import RunResults
 from lagdsl.engines.runtime.run_sensitivities import Directions
 from lagdsl.engines.runtime.run_view import Found, RunView, found_of
 from lagdsl.engines.runtime.structures import Initial, Status
-from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 
 _STATUSES = tuple(Status)  # in their order, from 0 on: found faster than by `Status(...)`
 # Bytes of a run that is kept for the next one; memory as large as this is made as fast as it is used.
@@ -38,27 +36,15 @@ def run_of(model: NativeModel, layout: Layout, settings: RunSettings, along: Cal
     return run if run.renew(settings, along) else Run(model, layout, settings, along)
 
 
-def entries_of(model: NativeModel, layout: Layout) -> SparseMatrix:
-    """The places of entries of J (nc, nq) that can be nonzero, with zeros there."""
-    count = int(runtime_library().initial_entries(model.model, None, None))
-    rows, columns = np.zeros(count, dtype=np.uintp), np.zeros(count, dtype=np.uintp)
-    runtime_library().initial_entries(model.model, place_of(rows), place_of(columns))
-    shape = len(layout.constraints), len(layout.coordinates)
-    return SparseMatrix(shape, rows.astype(np.intp), columns.astype(np.intp), np.zeros(count))
-
-
 class _Search:
     """The memory of a search for a start: addresses, and what is read from there."""
 
-    def __init__(self, size: int, layout: Layout, entries: SparseMatrix) -> None:
-        """`entries` are those of J."""
+    def __init__(self, size: int, layout: Layout) -> None:
         self._redundant = np.array(layout.redundant, dtype=np.uint8)
-        self._x, self._row_sizes, self._pattern = np.zeros(size), np.ones(len(entries)), entries
+        self._x, self._row_sizes = np.zeros(size), np.ones(len(layout.constraints))
         self._chosen, self._dependent = np.zeros(size + 1, dtype=np.uint8), self._redundant.copy()
         self.x, self.chosen, self.row_sizes = place_of(self._x), place_of(self._chosen), place_of(self._row_sizes)
-        self._told = Initial(
-            dependent=place_of(self._dependent), row_sizes=self.row_sizes, pattern=place_of(entries.values)
-        )
+        self._told = Initial(dependent=place_of(self._dependent), row_sizes=self.row_sizes)
 
     def begin(self, given: dict[int, float], equations: bool) -> tuple[Floats, Initial]:
         """The start values with those `given`, and what the search is told."""
@@ -67,7 +53,7 @@ class _Search:
         for place, value in given.items():
             self._x[place], self._chosen[place] = value, 1
         self._told.given, self._told.p = not equations, None
-        self._row_sizes[:], self._pattern.values[:], self._dependent[:] = 1.0, 0.0, self._redundant
+        self._row_sizes[:], self._dependent[:] = 1.0, self._redundant
         return self._x.copy(), self._told
 
     def again(self, row_sizes: Floats, dependent: Sequence[bool] | Flags) -> int:
@@ -79,9 +65,7 @@ class _Search:
         return self._row_sizes.copy()
 
     def found(self, starts: Floats, p: Floats) -> Found:
-        return found_of(
-            self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes, self._pattern.nonzero()
-        )
+        return found_of(self._told, starts, self._x.copy(), p, self._dependent, self._row_sizes)
 
 
 class Run(RunView):
@@ -95,7 +79,7 @@ class Run(RunView):
         self, model: NativeModel, layout: Layout, settings: RunSettings, along: Callable[[], NativeModel | None]
     ) -> None:
         super().__init__(0, layout, 2 * layout.size(Group.Q) + layout.size(Group.Z), settings.p)
-        self._model, self._search = model, _Search(self.size, layout, entries_of(model, layout))
+        self._model, self._search = model, _Search(self.size, layout)
         self.results = RunResults(self._library, model, layout)
         self._told = ToldOptions(layout, along)
         options = self._told.structure

@@ -13,7 +13,6 @@ from lagdsl.engines.runtime.engines.engine import Floats
 from lagdsl.engines.runtime.library import runtime_library
 from lagdsl.engines.runtime.run_options import Flags
 from lagdsl.engines.runtime.structures import Initial, InitialFault, RunFault, RunOptions, RunReport, Status
-from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 from lagdsl.foundation.record import record
 
 # Place of lag_motion in lag_run, which begins with its options.
@@ -24,8 +23,8 @@ _FUNCTIONS = [name for name in (*SIGNATURES, *OPTIONAL) if name not in ALONG_MAN
 @record(kw_only=True)
 class Found:
     """The start that was found, or what stands in the way: lag_initial. x (2 nq + nz,), `starts` are the values that
-    it was looked for from, which the search may have `moved`; `dependent`, `row_sizes` (nc,), `pattern` (nc, nq) with
-    the entries of J that are not zero; `p` are the parameters, those that were found too."""
+    it was looked for from, which the search may have `moved`; `dependent`, `row_sizes` (nc,) of the rows; `p` are the
+    parameters, those that were found too."""
 
     starts: Floats
     x: Floats
@@ -39,13 +38,10 @@ class Found:
     dependent: Flags
     moved: bool
     row_sizes: Floats
-    pattern: SparseMatrix
     p: Floats
 
 
-def found_of(
-    told: Initial, starts: Floats, x: Floats, p: Floats, dependent: np.ndarray, row_sizes: Floats, pattern: SparseMatrix
-) -> Found:
+def found_of(told: Initial, starts: Floats, x: Floats, p: Floats, dependent: np.ndarray, row_sizes: Floats) -> Found:
     """`told` with the arrays that it points at."""
     return Found(
         starts=starts,
@@ -60,7 +56,6 @@ def found_of(
         dependent=dependent.astype(np.bool_),
         moved=bool(told.moved),
         row_sizes=row_sizes.copy(),
-        pattern=pattern,
         p=p,
     )
 

@@ -253,7 +253,7 @@ class Initial(Structure):
         *_all(c_int, "moved"),
         *_all(c_size_t, "freedom excess general"),
         *_all(c_int, "given"),
-        *_all(c_void_p, "dependent row_sizes pattern p"),
+        *_all(c_void_p, "dependent row_sizes p"),
     ]
 
 

@@ -8,12 +8,12 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.derivation.program.passes.pattern import Pattern
 from lagdsl.derivation.program.program import Layout
 from lagdsl.derivation.structure.names import located
 from lagdsl.engines.backends.start import free_parameters
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.numerics.rank import Floats
-from lagdsl.foundation.numerics.sparse_matrix import SparseMatrix
 from lagdsl.foundation.record import record, remembered
 from lagdsl.language.flat.display import Display, display, display_rate
 from lagdsl.language.flat.model import FlatModel
@@ -55,15 +55,15 @@ class MovedRow:
 
 @record(kw_only=True)
 class Starts:
-    """Start values x (2 nq + nz,) with their natural sizes, and which of them are fixed or written; `pattern` (nc, nq)
-    has the coordinates that a row depends on, `count` is nq."""
+    """Start values x (2 nq + nz,) with their natural sizes, and which of them are fixed or written; `pattern` are the
+    entries of J, `count` is nq."""
 
     flat: FlatModel
     x: Floats
     sizes: Floats
     fixed: Flags
     written: Flags
-    pattern: SparseMatrix
+    pattern: Pattern
     count: int
 
 
@@ -137,8 +137,8 @@ def report_moved(starts: Starts, rows: tuple[MovedRow, ...], sink: Sink) -> None
 def _in_loops(starts: Starts) -> Flags:
     """Coordinates (nq,) that closures of loops hold: their starts choose how the loop is assembled, and are guesses
     even where they are written."""
-    pattern, held = starts.pattern, np.zeros(starts.pattern.shape[1], dtype=np.bool_)
-    held[pattern.columns[np.isin(pattern.rows, _rows_of_closures(starts.flat))]] = True
+    closures, held = set(_rows_of_closures(starts.flat)), np.zeros(starts.count, dtype=np.bool_)
+    held[[column for row, column in zip(*starts.pattern, strict=True) if row in closures]] = True
     return held
 
 

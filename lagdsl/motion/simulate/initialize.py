@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from lagdsl.derivation.program.passes.pattern import jacobian_pattern
 from lagdsl.engines.backends.start import QUATERNION, WRITTEN, Start
 from lagdsl.engines.runtime.engines.engine import Engine
 from lagdsl.engines.runtime.run import Run
@@ -160,7 +161,7 @@ def _searched(
     rows = tuple[MovedRow, ...]()
     if not sink.has_errors:
         if found.moved:
-            rows = _moved(flat, run, t, found, given, sink)
+            rows = _moved(flat, run, t, found, _starts(flat, engine, run, found, given), sink)
         rows += found_rows(flat, engine.layout, run.settings.p, found.p)
     return found, InitialState(
         model=flat.name,
@@ -176,11 +177,8 @@ def _searched(
     )
 
 
-def _moved(
-    flat: FlatModel, run: Run, t: float, found: Found, given: Mapping[int, float], sink: Sink
-) -> tuple[MovedRow, ...]:
+def _moved(flat: FlatModel, run: Run, t: float, found: Found, starts: Starts, sink: Sink) -> tuple[MovedRow, ...]:
     """Everything that was moved. It is reported unless initial equations say themselves that starts are to be moved."""
-    starts = _starts(flat, run, found, given)
     rows = moved_rows(starts, found.x, partial(_outputs, flat, run, t, found))
     if not flat.initial_equations:
         if flat.constraints:
@@ -228,7 +226,7 @@ def _flags(told: Start) -> tuple[Flags, Flags, NDArray[np.intp]]:
     return np.array(told.fixed, dtype=np.bool_), (flags & WRITTEN) != 0, np.flatnonzero(flags & QUATERNION)
 
 
-def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
+def _starts(flat: FlatModel, engine: Engine, run: Run, found: Found, given: Mapping[int, float]) -> Starts:
     n = len(flat.coordinates)
     measures = run.settings.measures
     fixed, written, turning = _flags(measures.start)
@@ -241,7 +239,7 @@ def _starts(flat: FlatModel, run: Run, found: Found, given: Mapping[int, float])
         sizes=measures.natural,
         fixed=fixed,
         written=written,
-        pattern=found.pattern,
+        pattern=jacobian_pattern(engine.program) if engine.program.has("position_constraint") else ((), ()),
         count=n,
     )
 

@@ -66,7 +66,7 @@ def test_every_machine_has_a_picture_that_holds_all_of_it(name: str) -> None:
         pixels = np.asarray(picture.figure.canvas.buffer_rgba())[..., :3].reshape(-1, 3)  # type: ignore[attr-defined]
         drawn = any(shape.kind != "frame" for shape in own.scene.shapes)
         assert (len(np.unique(pixels, axis=0)) > GRID) == drawn
-        for part in parts_of(own, row, without=("ground", "rail", "trace")):
+        for part in parts_of(own, row, without=("ground", "rail", "track", "trace")):
             if isinstance(part, Faces):
                 places = picture.view.seen(part.corners)[0]
                 assert np.all(places >= picture.view.low) and np.all(places <= picture.view.high)
@@ -202,7 +202,7 @@ def test_a_view_that_follows_holds_the_machine_at_every_row_and_nothing_of_its_w
     assert narrow < 0.3 * wide
     for row in (0, 20, len(own.rows) - 1):
         view = near.at(row).view
-        for part in parts_of(own, row, without=("ground", "rail", "trace")):
+        for part in parts_of(own, row, without=("ground", "rail", "track", "trace")):
             if isinstance(part, Faces):
                 places = view.seen(part.corners)[0]
                 assert np.all(places >= view.low) and np.all(places <= view.high)

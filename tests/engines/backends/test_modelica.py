@@ -52,16 +52,54 @@ EVERY = MODELS if ALL else SOME
 # Models that flat Modelica has no statements for, with the first statement that is refused.
 REFUSED = {
     "ball_on_moving_table": "contact `surface`",
+    "billiard_ball_swerves": "contact `table`",
+    "billiard_ball_with_draw": "contact `table`",
+    "block_on_slope": "contact `ground`",
     "bouncing_ball": "contact `floor`",
+    "capstan": "contact `drum[1]`",
     "clutch": "friction `clutch`",
+    "coulomb_oscillator": "friction `floor`",
+    "disc_starts_to_roll": "contact `road`",
+    "drum_brake": "contact `leading`",
     "escapement": "contact `on_upper`",
+    "flywheel_brake": "friction `pads`",
+    "freewheel": "contact `ratchet`",
+    "gripper": "contact `left`",
     "ladder_leaving_wall": "contact `wall`",
+    "ladder_with_friction": "contact `ground`",
+    "library/ball_on_an_incline": "contact `ground.touch`",
+    "library/balls_in_contact": "contact `blow.touch`",
+    "library/boxes_in_contact": "contact `front.touch`",
+    "library/brakes_and_clutches": "friction `pads.pads`",
+    "library/clutch_engagement": "friction `clutch.pads`",
+    "library/cylinder_on_an_incline": "contact `ground.rim[1].touch`",
     "library/end_stops": "contact `ends.low`",
+    "library/freewheels": "contact `hub.drive`",
+    "library/journals": "friction `journal.journal`",
+    "library/sliding_on_a_plane": "friction `pad.dry`",
+    "library/stick_slip": "friction `belt.dry`",
+    "library/stopping_by_friction": "friction `floor.dry`",
+    "library/stribeck_bearing": "friction `bearing.dry`",
+    "library/wheels_in_contact": "contact `road.touch`",
+    "library/worm_hoist": "friction `gear.flanks`",
     "newtons_cradle": "contact `c[1]`",
+    "painleve_rod": "contact `ground`",
     "particle_on_sphere": "contact `surface`",
     "pick_and_place": "contact `table`",
+    "pinched_capsule": "contact `left`",
+    "puck_with_side_force": "friction `ice`",
     "rimless_wheel": "constraint `stands`",
+    "rocking_block": "contact `at_left`",
+    "sliding_cube": "contact `at_rear`",
+    "stacked_blocks": "contact `floor`",
+    "standing_quadruped": "contact `leg[1].ground`",
+    "stick_slip_belt": "friction `grip`",
+    "table_on_four_legs": "contact `leg[1]`",
+    "tipping_box": "contact `at_left`",
     "valve_train": "contact `tappet`",
+    "wedge": "contact `ramp`",
+    "wedge_under_load": "contact `floor`",
+    "worm_gear": "contact `flank`",
 }
 # Models that Rumoca 0.10.2 does not simulate, with its own message.
 EXPECTED_FAILURES = {
@@ -178,6 +216,16 @@ def test_statements_without_a_counterpart_are_refused(name: str) -> None:
     first = sink.diagnostics[0]
     assert first.code == "E0915" and REFUSED[name] in first.message
     assert first.labels[0].span.text
+
+
+@pytest.mark.skipif(not ALL, reason="it compiles every model: make check-all")
+def test_no_other_model_has_such_a_statement() -> None:
+    found = []
+    for name in MODELS:
+        sink = Sink()
+        report_inexpressible(model(name)._compilation.flat, sink)
+        found += [name] if sink.diagnostics else []
+    assert sorted(found) == sorted(REFUSED)
 
 
 def test_a_reset_that_constraints_pass_on_is_refused() -> None:

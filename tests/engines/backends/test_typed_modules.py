@@ -25,7 +25,7 @@ acceleration = model.forward_dynamics(0.0, [0.1, 0.2, 0.3], [0.0, 0.0, 0.0])
 place = model.frame("skate").position(0.0, [0.1, 0.2, 0.3])
 reveal_type(acceleration)
 reveal_type(place)
-model.forward_dynamics("soon", 1.0)
+model.forward_dynamics({"soon": 0.0}, 1.0)
 """
 
 

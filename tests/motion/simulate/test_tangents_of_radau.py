@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import lagdsl
 
@@ -32,3 +33,38 @@ def test_both_ways_to_solve_the_equations_of_stages_agree() -> None:
             expected = alone.derivative(of, name)
             size = np.abs(expected).max()
             np.testing.assert_allclose(together.derivative(of, name), expected, rtol=0, atol=1e-11 * size)
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
+def test_neighbours_of_a_motion_at_rest_oscillate(tolerance: float) -> None:
+    """Closed form: dx/dx0 = cos(w t). The state is at rest, so its steps could be as long as the run."""
+    model = lagdsl.compile("""
+        model Rest
+          coordinate Length x, fast;
+          mass 1 kg at {x, 0};
+          mass 1 kg at {0, fast};
+          force -(4 N/m)*x on x;
+          force -(1e8 N/m)*fast - (1e6 N.s/m)*der(fast) on fast;
+        end Rest;
+    """)
+    motion = model.simulate(stop=10, solver="radau", tolerance=tolerance, tangents=["x.start"])
+    found = motion.derivative("x", "x.start")
+    assert np.abs(found - np.cos(2.0 * motion.time)).max() < 60.0 * tolerance
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
+def test_columns_are_known_between_the_nodes_of_a_step(tolerance: float) -> None:
+    """Closed form: z follows a sin(t), so dz/da is sin(t); a is zero, and z stays at rest."""
+    model = lagdsl.compile("""
+        model Follower
+          parameter Real a = 0;
+          state Real z;
+          coordinate Length x;
+          mass 1 kg at {x, 0};
+        equation
+          der(z) = 1e6*(a*sin(time/(1 s)) - z)/(1 s);
+        end Follower;
+    """)
+    motion = model.simulate(stop=10, solver="radau", tolerance=tolerance, tangents=["a"])
+    found = motion.derivative("z", "a")
+    assert np.abs(found - np.sin(motion.time))[1:].max() < 1e-6 + 60.0 * tolerance

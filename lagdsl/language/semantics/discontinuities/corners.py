@@ -21,7 +21,7 @@ def with_corners(flat: fm.FlatModel, kinks: Sequence[Met]) -> fm.FlatModel:
     states, at which steps end, and the others."""
     if not kinks:
         return flat
-    motion = list(_what_moves(flat))
+    motion = list(what_moves(flat))
     found = {id(x) for x in reached(flat, [*motion, *(x.difference for x in flat.events.relations)])}
     seen = {id(x) for x in reached(flat, [*motion, *(output.value for output in flat.outputs)])}
     located = [each for each in kinks if each.located and id(each.expression) in found]
@@ -44,7 +44,7 @@ def _corners(kinks: Sequence[Met]) -> Iterator[Corner]:
             yield Corner(spans=met.spans, distance=distance, solved=met.order >= Order.ACCELERATION)
 
 
-def _what_moves(flat: fm.FlatModel) -> Iterator[FlatExpression]:
+def what_moves(flat: fm.FlatModel) -> Iterator[FlatExpression]:
     """All expressions on which accelerations and rates depend."""
     yield from (term.value for term in flat.energies)
     for mass in flat.masses:

@@ -3,7 +3,7 @@
 | it is | of time alone | of the motion |
 |---|---|---|
 | a relation, `sign` | an entry of the kind `timed` | a relation |
-| a function over which velocities or energies jump | the same | a relation, on which its branch depends |
+| a function that jumps, or over which velocities jump | the same | a relation, on which its branch depends |
 | another function | the same | as it stands; steps end where the distance of a corner passes zero |
 | in `noEvent`, the cut of `atan2` | nothing | as it stands, with a corner that starts and sweeps know |
 
@@ -11,7 +11,9 @@
 interval. All of that is constant between events, so the equations are smooth there, and a derivative by time is that of
 the present piece. Nothing is stepped over: the instants are computed ahead.
 
-A force reads a function of the motion as it stands: `sqrt(max(x, 0))` must not see a negative number.
+A force reads a continuous function of the motion as it stands: `sqrt(max(x, 0))` must not see a negative number. One
+that jumps is held: at a jump it has no value, and a start there would see one side in the first stage of a step and the
+other in the next.
 """
 
 from __future__ import annotations
@@ -29,10 +31,10 @@ from lagdsl.language.flat.expression import FlatExpression
 from lagdsl.language.flat.quantity import Variability
 from lagdsl.language.flat.reached import reached
 from lagdsl.language.flat.traversal import operands, rewritten
+from lagdsl.language.semantics.discontinuities.branching import branching
 from lagdsl.language.semantics.discontinuities.corners import with_corners
 from lagdsl.language.semantics.discontinuities.distances import at_whole_numbers
 from lagdsl.language.semantics.discontinuities.entries import Entries
-from lagdsl.language.semantics.discontinuities.velocities import branching
 from lagdsl.language.semantics.operators.arithmetic import negative
 from lagdsl.language.semantics.operators.pieces import chosen_by_number
 from lagdsl.language.semantics.scope.product import Met, Pieces
@@ -65,10 +67,10 @@ class _Guards:
         self.entries = Entries()
         self._flat = flat
         self._met = {id(each.expression): each for each in met}
-        self._truths = {id(each.expression) for each in met if each.located and _is_truth(each.expression)}
+        truths = [each for each in met if each.located and _is_truth(each.expression)]
+        self._truths = {id(each.expression) for each in truths}
         functions = [each for each in met if each.located and id(each.expression) not in self._truths]
-        moving = [each for each in functions if each.order >= Order.CONFIGURATION]
-        self._branching = branching(flat, moving, self._truths)
+        self._branching = branching(flat, [each for each in functions if each.order > Order.STILL], truths)
         whole = {id(each.expression) for each in met if each.located and _is_whole(each.expression)}
         known = {id(each.expression) for each in met if each.order == Order.STILL}
         self._steps = self._truths | (whole & (self._branching | known)) if whole & self._branching else set()

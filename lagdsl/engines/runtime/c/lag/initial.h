@@ -39,12 +39,8 @@ typedef struct lag_initial {
     /* Room that the caller gives, or null. */
     unsigned char *dependent; /* (nc) 1 for rows that depend on others near that state */
     double *row_sizes;        /* (nc) natural sizes of the rows: as large as their derivatives usually come out */
-    double *pattern;          /* (lag_initial_entries) 1: the row depends on the coordinate */
     double *p;                /* (np) the parameters with those that were found, which the motion has from then on, if some are free */
 } lag_initial;
-
-/* Number of entries of J that can be nonzero, with their rows and columns, or null. */
-size_t lag_initial_entries(const lag_model *model, size_t *row, size_t *column);
 
 /* Doubles for the search. */
 size_t lag_initial_memory(const lag_model *model);

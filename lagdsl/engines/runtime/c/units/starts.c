@@ -177,10 +177,8 @@
 
 #include "lag/initial/initial_row_sizes.c"
 
-#define find_parts initial_scaling_find_parts
 #define find_sizes initial_scaling_find_sizes
 #include "lag/initial/initial_scaling.c"
-#undef find_parts
 #undef find_sizes
 
 #define gather nearest_along_path_gather

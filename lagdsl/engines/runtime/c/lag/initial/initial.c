@@ -14,23 +14,8 @@ size_t lag_initial_memory(const lag_model *model)
     const size_t q = lag_larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model));
     const size_t all = model->ne > 0 ? lag_initialization_all_memory(model) : 0;
     const size_t ranks = lag_larger(lag_initialization_rank_memory(model), lag_initialization_look_memory(model));
-    const size_t sizes = lag_larger(lag_initialization_row_sizes_memory(model), lag_parts_memory(model->nc, model->nq));
+    const size_t sizes = lag_initialization_row_sizes_memory(model);
     return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), lag_larger(ranks, sizes));
-}
-
-size_t lag_initial_entries(const lag_model *model, size_t *row, size_t *column)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < model->nc; ++i) {
-        const lag_entries entries = lag_entries_of(model, i);
-        for (size_t k = entries.first; k < entries.end; ++k, ++count) {
-            if (row != NULL) {
-                row[count] = i;
-                column[count] = lag_entry_column(&entries, k);
-            }
-        }
-    }
-    return count;
 }
 
 static size_t first_wrong(size_t count, const double *x)
@@ -142,7 +127,6 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
         found.given = told->given;
         found.dependent = told->dependent;
         found.row_sizes = told->row_sizes;
-        found.pattern = told->pattern;
         found.p = told->p;
     }
     for (size_t i = 0; found.dependent != NULL && i < model->nc; ++i) {
@@ -161,7 +145,6 @@ lag_status lag_initial_find(lag_motion *motion, const lag_start *start, const un
             find(&b, set, x);
             b.told.freedom = find_freedom(&b, set, x);
             copy(model->nc, b.row_sizes, found.row_sizes);
-            copy(lag_entries_count(model), b.pattern, found.pattern);
             found = b.told;
             found.moved = differ(lag_motion_size(model), b.starts.x, x);
             check_bounds(model, start, &found);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "lag/equations/entries.h"
 #include "lag/initial/initial_equations_rows.h"
 #include "lag/linalg/arena.h"
 
@@ -249,8 +250,9 @@ void lag_joint_measure(lag_joint *joint, double *memory)
     for (size_t i = 0; i < b->rows + b->motion->model->nc; ++i) { /* J, of coordinates or of rates */
         const int rates = i >= b->rows;
         const size_t row = rates ? i - b->rows : (size_t)b->row[i];
-        for (size_t j = 0; j < n; ++j) {
-            joint->pattern[i * joint->all + (rates ? n : 0) + j] = lag_initialization_depends(b, row, j);
+        const lag_entries entries = lag_entries_of(b->motion->model, row);
+        for (size_t k = entries.first; k < entries.end; ++k) {
+            joint->pattern[i * joint->all + (rates ? n : 0) + lag_entry_column(&entries, k)] = 1.0;
         }
     }
     for (int point = 0; point <= POINTS; ++point) {

@@ -33,12 +33,12 @@ size_t lag_initialization_q_memory(const lag_model *model)
 /* True if initial equations determine coordinates of a row. */
 static int is_joined(const lag_initialization *b, size_t row)
 {
-    const size_t n = b->motion->model->nq;
-    size_t j = 0;
-    while (b->equations.joined != NULL && j < n && !(b->equations.joined[j] && lag_initialization_depends(b, row, j))) {
-        ++j;
+    const lag_entries entries = lag_entries_of(b->motion->model, row);
+    int joined = 0;
+    for (size_t k = entries.first; k < entries.end && b->equations.joined != NULL; ++k) {
+        joined = joined || b->equations.joined[lag_entry_column(&entries, k)];
     }
-    return b->equations.joined != NULL && j < n;
+    return joined;
 }
 
 static void put(const positions *p, const double *y)
@@ -181,7 +181,7 @@ static lag_parts find_parts(const positions *p, double *memory)
         const lag_entries entries = lag_entries_of(model, (size_t)b->row[i]);
         for (size_t k = entries.first; k < entries.end; ++k) {
             const double number = p->number[lag_entry_column(&entries, k)];
-            if (number >= 0.0 && b->pattern[entries.before + k] != 0.0) {
+            if (number >= 0.0) {
                 lag_parts_join(&parts, i, (size_t)number);
             }
         }

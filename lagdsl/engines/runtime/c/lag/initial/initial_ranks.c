@@ -68,9 +68,7 @@ static lag_parts find_parts(const lag_initialization *b, int positions, double *
     for (size_t i = 0; i < parts.m; ++i) {
         const lag_entries entries = lag_entries_of(model, positions ? (size_t)b->row[i] : i);
         for (size_t k = entries.first; k < entries.end; ++k) {
-            if (b->pattern[entries.before + k] != 0.0) {
-                lag_parts_join(&parts, i, lag_entry_column(&entries, k));
-            }
+            lag_parts_join(&parts, i, lag_entry_column(&entries, k));
         }
     }
     lag_parts_end(&parts);

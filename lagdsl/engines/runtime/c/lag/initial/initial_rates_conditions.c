@@ -72,10 +72,7 @@ void lag_rates_find_parts(lag_rates *r)
     for (size_t i = 0; i < m; ++i) {
         const lag_entries entries = lag_entries_of(model, i);
         for (size_t k = entries.first; k < entries.end; ++k) {
-            const size_t j = lag_entry_column(&entries, k);
-            if (b->pattern[entries.before + k] != 0.0 || b->jacobian[i * n + j] != 0.0) {
-                lag_parts_join(&r->parts, i, j);
-            }
+            lag_parts_join(&r->parts, i, lag_entry_column(&entries, k));
         }
     }
     for (size_t i = m; i < rows; ++i) {

@@ -72,7 +72,7 @@ static void set_point(lag_initialization *b, size_t k, unsigned long long *seed,
     }
 }
 
-/* Lengths of the rows of J as it was evaluated last, less the entries `less` (or null), which is number k; largest entries into the pattern. */
+/* Lengths of the rows of J as it was evaluated last, less the entries `less` (or null), which is number k; sizes of entries into `largest`. */
 static void measure(lag_initialization *b, size_t k, const double *less)
 {
     const lag_model *model = b->motion->model;
@@ -84,7 +84,7 @@ static void measure(lag_initialization *b, size_t k, const double *less)
             const size_t j = lag_entry_column(&entries, e);
             const double plain = b->jacobian[i * model->nq + j] - (less != NULL ? less[entries.before + e] : 0.0);
             const double entry = plain * b->sizes[j];
-            double *seen = b->pattern + entries.before + e;
+            double *seen = b->largest + entries.before + e;
             size += entry * entry;
             length += plain * plain;
             *seen = fabs(entry) <= *seen ? *seen : isfinite(entry) ? fabs(entry) : (double)INFINITY;
@@ -142,8 +142,8 @@ static size_t component_of(const lag_initialization *b, size_t row)
     double largest = 0.0;
     size_t most = 0;
     for (size_t k = entries.first; k < entries.end; ++k) {
-        most = b->pattern[entries.before + k] > largest ? lag_entry_column(&entries, k) : most;
-        largest = fmax(largest, b->pattern[entries.before + k]);
+        most = b->largest[entries.before + k] > largest ? lag_entry_column(&entries, k) : most;
+        largest = fmax(largest, b->largest[entries.before + k]);
     }
     return model->components != NULL && model->nq > 0 ? model->components[most] : 0;
 }
@@ -211,7 +211,7 @@ static void find_short(lag_initialization *b, const double *q, const double *len
     }
 }
 
-/* Rows that are zero but for the round-off of others of their component have the size of the largest of these, and no entries. */
+/* Rows that are zero but for the round-off of others of their component have the size of the largest of these. */
 static void leave_out_round_off(lag_initialization *b)
 {
     const lag_model *model = b->motion->model;
@@ -220,13 +220,7 @@ static void leave_out_round_off(lag_initialization *b)
     find_most(b, b->row_sizes, most);
     for (size_t i = 0; i < model->nc && n > 0; ++i) {
         const size_t component = component_of(b, i);
-        const double round_off = LAG_NO_ROW * most[component];
-        const lag_entries entries = lag_entries_of(model, i);
-        for (size_t k = entries.first; k < entries.end; ++k) {
-            double *entry = b->pattern + entries.before + k;
-            *entry = *entry > fmax(LAG_EXACT * b->row_sizes[i], round_off);
-        }
-        if (!(b->row_sizes[i] > round_off)) {
+        if (!(b->row_sizes[i] > LAG_NO_ROW * most[component])) {
             b->row_sizes[i] = b->row_sizes[i] > 0.0 ? most[component] : 1.0;
         }
     }
@@ -238,7 +232,7 @@ void lag_initialization_find_row_sizes(lag_initialization *b, const double *q)
     double *length = b->lengths + 2 * SIZED_AT * model->nc;
     unsigned long long seed = 20011;
     int any = 0;
-    lag_fill(lag_entries_count(model), 0.0, b->pattern);
+    lag_fill(lag_entries_count(model), 0.0, b->largest);
     for (size_t k = 0; k < SIZED_AT; ++k) {
         set_point(b, k, &seed, q);
         lag_initialization_velocities(b);
@@ -258,5 +252,4 @@ void lag_initialization_find_row_sizes(lag_initialization *b, const double *q)
     }
     find_short(b, q, length);
     leave_out_round_off(b);
-    lag_initialization_find_pattern(b);
 }

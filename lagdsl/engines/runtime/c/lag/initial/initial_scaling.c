@@ -11,8 +11,6 @@
 
 /* A written start value that cannot be held weighs 100 times another: the square of this. */
 static const double SHARP = 10.0;
-/* The coordinates that a row depends on, if the model does not tell them, are determined at this many points. */
-enum { LOOKED_AT = 3 };
 
 size_t lag_initialization_rows(const lag_model *model)
 {
@@ -51,7 +49,7 @@ void lag_initialization_place(lag_initialization *b, lag_motion *motion, double 
     b->aside.w = lag_take(&memory, model->nw);
     b->still = lag_take(&memory, model->nq + model->nc);
     b->lengths = lag_take(&memory, lag_initialization_lengths(model));
-    b->pattern = lag_take(&memory, lag_entries_count(model));
+    b->largest = lag_take(&memory, lag_entries_count(model));
     b->memory = memory;
     for (size_t i = 0; i < model->nc; ++i) {
         if (model->position_level[i]) {
@@ -118,98 +116,14 @@ void lag_initialization_point(const lag_initialization *b, unsigned long long *s
 
 /* ---- sizes ---- */
 
-void lag_initialization_find_pattern(lag_initialization *b)
-{
-    const lag_model *model = b->motion->model;
-    if (lag_jacobian_pattern(model) != NULL) {
-        lag_fill(lag_entries_count(model), 1.0, b->pattern);
-    }
-    for (size_t k = 0; lag_jacobian_pattern(model) == NULL && k < model->nswitched; ++k) {
-        lag_fill(model->nq, 1.0, b->pattern + model->switched_rows[k] * model->nq);
-    }
-}
-
-int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j)
-{
-    const lag_entries entries = lag_entries_of(b->motion->model, row);
-    size_t k = entries.column != NULL ? entries.first : j;
-    while (k < entries.end && lag_entry_column(&entries, k) != j) {
-        ++k;
-    }
-    return k < entries.end && b->pattern[entries.before + k] != 0.0;
-}
-
-/* Parts of the rows where the model tells their entries; else from these at points about q. */
-static lag_parts find_parts(lag_initialization *b, const double *q)
-{
-    const lag_model *model = b->motion->model;
-    const lag_pattern *entries = lag_jacobian_pattern(model);
-    const size_t n = model->nq;
-    unsigned long long seed = 20011;
-    if (entries != NULL) {
-        lag_parts parts = lag_parts_begin(model->nc, n, b->memory);
-        for (size_t k = 0; k < entries->count; ++k) {
-            lag_parts_join(&parts, entries->row[k], entries->column[k]);
-        }
-        lag_parts_end(&parts);
-        return parts;
-    }
-    lag_fill(model->nc * n, 0.0, b->pattern);
-    memcpy(b->q, q, n * sizeof(double));
-    for (size_t point = 0; point < LOOKED_AT; ++point) {
-        lag_initialization_velocities(b);
-        for (size_t k = 0; k < model->nc * n; ++k) {
-            b->pattern[k] = b->pattern[k] != 0.0 || b->jacobian[k] != 0.0;
-        }
-        lag_initialization_point(b, &seed, point, q, b->q);
-    }
-    lag_initialization_find_pattern(b);
-    return lag_parts_of(model->nc, n, b->pattern, b->memory);
-}
-
-/* Coordinates that constraints tie together have one size for each unit: their largest start value, not that of strangers. */
-static void find_sizes_of_parts(lag_initialization *b, const double *q)
-{
-    const double *group = b->starts.widths;
-    const lag_parts parts = find_parts(b, q);
-    double *most = b->sizes + b->motion->model->nq; /* by group, until sizes of rates stand there */
-    for (size_t which = 0; which < parts.count; ++which) {
-        size_t first = 0;
-        const size_t end = lag_parts_columns(&parts, which, &first) + first;
-        for (size_t k = first; k < end; ++k) {
-            most[lag_index(group[lag_index(parts.column[k])])] = 0.0;
-        }
-        for (size_t k = first; k < end; ++k) {
-            const size_t j = lag_index(parts.column[k]);
-            double *its = most + lag_index(group[j]);
-            *its = isfinite(q[j]) ? fmax(*its, fabs(q[j])) : *its;
-        }
-        for (size_t k = first; k < end; ++k) {
-            const size_t j = lag_index(parts.column[k]);
-            const double its = most[lag_index(group[j])];
-            b->sizes[j] = isfinite(b->starts.written[j]) ? 1.0 : its > 0.0 ? its : 1.0; /* angles have a cap, and size 1 */
-        }
-    }
-}
-
 static void find_sizes(lag_initialization *b, const double *q)
 {
-    const lag_model *model = b->motion->model;
-    const size_t n = model->nq;
+    const size_t n = b->motion->model->nq;
     const double *nominal = b->start != NULL ? b->start->nominal : NULL;
-    lag_accuracy_groups(model, q, b->starts.widths, b->sizes, b->starts.written); /* groups, sizes and caps */
-    if (model->nc > 0) {
-        find_sizes_of_parts(b, q);
-    }
-    for (size_t j = 0; j < n; ++j) {
-        b->sizes[n + j] = b->sizes[j];
-    }
-    for (size_t i = 0; i < n && nominal != NULL; ++i) {
-        b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : b->sizes[i];
-        b->sizes[n + i] = b->sizes[i];
-    }
-    for (size_t i = 2 * n; i < lag_motion_size(model) && nominal != NULL; ++i) {
-        b->sizes[i] = nominal[i] != 0.0 ? fabs(nominal[i]) : 1.0;
+    lag_accuracy_groups(b->motion->model, q, b->starts.widths, b->sizes, b->starts.written); /* groups, sizes and caps */
+    for (size_t i = 0; i < lag_motion_size(b->motion->model) && nominal != NULL; ++i) {
+        const double own = nominal[i >= n && i < 2 * n ? i - n : i];
+        b->sizes[i] = own != 0.0 ? fabs(own) : b->sizes[i];
     }
 }
 

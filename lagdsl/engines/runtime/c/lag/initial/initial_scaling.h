@@ -44,7 +44,7 @@ typedef struct lag_initialization {
     lag_set_aside aside;
     double *still;               /* (nq + nc) zeros */
     double *lengths;             /* lag_initialization_lengths() of rows at several points */
-    double *pattern;             /* (entries of J) 1: it is not zero everywhere */
+    double *largest;             /* (entries of J) their largest sizes */
     lag_tied equations;
     double *memory;              /* of each part in turn */
     lag_initial told;
@@ -65,20 +65,14 @@ size_t lag_initialization_lengths(const lag_model *model);
 size_t lag_initialization_row_sizes_memory(const lag_model *model);
 
 /*
- * Sizes of the rows and the pattern of J, at the start values q and points about them, contacts closed; rows that are zero there are looked at with
- * other truths of the discretes. Rows that are zero but for the round-off of others have the size of the largest of their component, and no entries.
+ * Sizes of the rows, at the start values q and points about them, contacts closed; rows that are zero there are looked at with
+ * other truths of the discretes. Rows that are zero but for the round-off of others have the size of the largest of their component.
  * LAG_INITIAL_SIZES: parameters that are not those of the model make a row so short that ranks would take it for round-off.
  */
 void lag_initialization_find_row_sizes(lag_initialization *b, const double *q);
 
-/* The pattern of J from the model, if it has one, is the better one: an inactive row does not show its coordinates. */
-void lag_initialization_find_pattern(lag_initialization *b);
-
 /* 1: the parameters are those of the model. */
 int lag_initialization_has_defaults(const lag_initialization *b);
-
-/* 1: row `row` depends on coordinate j somewhere. */
-int lag_initialization_depends(const lag_initialization *b, size_t row, size_t j);
 
 /* Parameters were changed: they are prepared, and discretes are those of the start with them. */
 void lag_initialization_parameters(lag_initialization *b);

@@ -60,12 +60,12 @@ void lag_accuracy_groups(const lag_model *model, const double *start, double *gr
         group[i] = (double)first;
         group[n + i] = (double)(n + first);
         natural[i] = 0.0;
-        natural[first] = fmax(natural[first], fabs(start[i]));
+        natural[first] = isfinite(start[i]) ? fmax(natural[first], fabs(start[i])) : natural[first];
     }
     for (size_t i = n; i-- > 0;) { /* the first of a group last */
         const double most = natural[(size_t)group[i]];
         const int angle = is_angle(model, i);
-        natural[i] = natural[n + i] = angle || !(most > 0.0 && isfinite(most)) ? 1.0 : most;
+        natural[i] = natural[n + i] = angle || most == 0.0 ? 1.0 : most;
         cap[i] = angle ? 1.0 : (double)INFINITY;
         cap[n + i] = (double)INFINITY;
     }

@@ -107,8 +107,7 @@ static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int
     return lag_stepper_norm(s, at->error);
 }
 
-/* Value and slope at a place by weights of the stages z, for the polynomial that is zero at 0; all as parts of the step. */
-static void weights_at(const lag_radau_table *table, double place, double *value, double *slope)
+void lag_radau_weights(const lag_radau_table *table, double place, double *value, double *slope)
 {
     for (size_t k = 0; k < table->stages; ++k) {
         value[k] = place / table->node[k];
@@ -134,7 +133,7 @@ static double error_within(lag_stepper *s, const lag_radau_places *at, double h,
     const double place = 0.5 * (at->table->node[node - 1] + at->table->node[node]);
     double value[LAG_RADAU_STAGES];
     double slope[LAG_RADAU_STAGES];
-    weights_at(at->table, place, value, slope);
+    lag_radau_weights(at->table, place, value, slope);
     for (size_t i = 0; i < n; ++i) {
         at->point[i] = s->x[i];
         at->right[i] = 0.0;

@@ -157,6 +157,9 @@ unsigned lag_radau_iterations(unsigned stages); /* at most */
 void lag_radau_transform(
     size_t n, size_t stages, const double matrix[LAG_RADAU_STAGES][LAG_RADAU_STAGES], const double *in, double *out);
 
+/* Value and slope at a place by weights (stages) of the stages z, for the polynomial that is zero at 0; all as parts of the step. */
+void lag_radau_weights(const lag_radau_table *table, double place, double *value, double *slope);
+
 static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places *at)
 {
     return (lag_band){lag_radau_rows(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};

@@ -14,18 +14,21 @@ int lag_run_crosses(const lag_model *model, const lag_run_options *options)
     return options->careful && model->nc > 0;
 }
 
-static void lay_instants(lag_run *run, lag_layout *layout)
+static void lay_instants(lag_instants *instants, lag_guards *guards, lag_motion *motion, lag_projection *projection, lag_clock *clock, lag_layout *layout)
 {
-    lag_instants_place(&run->instants, &run->motion, &run->projection, run->clock, layout);
-    lag_guards_place(&run->guards, &run->motion, &run->instants.modes.reserve, &run->instants.noise, layout);
+    lag_instants_place(instants, motion, projection, clock, layout);
+    lag_guards_place(guards, motion, &instants->modes.reserve, &instants->noise, layout);
 }
 
-/* Doubles of it. */
+/* Doubles of it. A whole run is too large for the stack of a microcontroller. */
 static size_t instants_memory(const lag_model *model)
 {
     lag_layout layout = {NULL, 0};
-    lag_run run = {.motion.model = model};
-    lay_instants(&run, &layout);
+    lag_motion motion = {.model = model};
+    lag_projection projection = {0};
+    lag_instants instants = {0};
+    lag_guards guards = {0};
+    lay_instants(&instants, &guards, &motion, &projection, NULL, &layout);
     return layout.count;
 }
 
@@ -157,7 +160,7 @@ lag_run *lag_run_place(void *block, const lag_model *model, const lag_run_option
     }
     lag_run_depend(run, model->redundant);
     lag_layout layout = {memory, 0};
-    lay_instants(run, &layout);
+    lay_instants(&run->instants, &run->guards, &run->motion, &run->projection, run->clock, &layout);
     memory += layout.count;
     set_instants(run);
     run->accuracy = (lag_accuracy){size, run->sizes.group, run->sizes.natural, run->sizes.cap, lag_take(&memory, size), 0.0};

@@ -13,8 +13,9 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     const lag_run_options *options = &run->options;
     const size_t size = lag_motion_size(model);
     lag_status status = LAG_OK;
-    lag_accuracy_groups(model, x, run->sizes.group, run->sizes.natural, run->sizes.cap);
-    if (options->sizes.group != NULL) {
+    if (options->sizes.group == NULL) {
+        lag_accuracy_groups(model, x, run->sizes.group, run->sizes.natural, run->sizes.cap);
+    } else {
         memcpy(run->sizes.group, options->sizes.group, size * sizeof(double));
         memcpy(run->sizes.natural, options->sizes.natural, size * sizeof(double));
         memcpy(run->sizes.cap, options->sizes.cap, size * sizeof(double));

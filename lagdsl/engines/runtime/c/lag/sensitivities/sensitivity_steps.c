@@ -11,6 +11,9 @@
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
 
+/* An error that is such a part of the column is no rounding, though a shorter step has as much: implicit steps that are far too long all have it. */
+static const double LARGE = 0.1;
+
 static size_t size_of(const lag_run *run)
 {
     return run->stepper.ode->size;
@@ -175,8 +178,75 @@ static lag_radau_places last_of_state(const lag_stepper *stepper, lag_radau_memo
     return at;
 }
 
-/* One step by the collocation equations of the last one. LAG_MISSING: they were not solved; they will be for a shorter step. */
-static lag_status implicit_step(lag_sensitivities *s, lag_run *run)
+/* Columns of a block within the step, by weights of their stages. */
+static void find_inside(const lag_attempt_arrays *at, size_t stages, const double *weight, double *to)
+{
+    const size_t count = at->size * at->lanes;
+    memcpy(to, at->x, count * sizeof(double));
+    for (size_t k = 0; k < stages; ++k) {
+        lag_axpy(count, weight[k], at->slope + k * count, to);
+    }
+}
+
+/*
+ * Error of one column whose defect within the step is `error` (size), filtered as that of the state: as a part of what it may be. Its measure is the
+ * tolerance of the state, times a part of the column, or what a change of order one makes of the state.
+ */
+static double implicit_part(const lag_run *run, const lag_radau_places *of_state, const lag_attempt_arrays *at, size_t lane, double extent, double *error)
+{
+    const lag_stepper *stepper = &run->stepper;
+    double before = 0.0, behind = 0.0;
+    lag_radau_solve_real(stepper->ode, of_state, error);
+    for (size_t i = 0; i < at->size; ++i) {
+        const double first = at->x[i * at->lanes + lane] / stepper->tolerance[i];
+        const double last = at->x_new[i * at->lanes + lane] / stepper->tolerance[i];
+        before += first * first;
+        behind += last * last;
+    }
+    const double length = fmax(run->accuracy.relative * sqrt(fmax(before, behind) / (double)at->size), extent);
+    return stepper->method->factor * lag_stepper_norm(stepper, error) / (length > 0.0 ? length : 1.0);
+}
+
+/*
+ * Error of the worst column, by the defect of its polynomial between two nodes, as a part of what it may be (see largest_error()). The steps of the state do
+ * not tell it: a motion at rest has steps as long as the run, and its neighbours oscillate.
+ */
+static lag_status implicit_error(lag_sensitivities *s, lag_run *run, const lag_radau_places *of_state, double *error)
+{
+    const lag_stepper *stepper = &run->stepper;
+    const lag_radau_table *table = of_state->table;
+    const size_t node = table->stages / 2;
+    const double place = 0.5 * (table->node[node - 1] + table->node[node]);
+    const double h = stepper->t - stepper->t_before;
+    const double t = stepper->t_before + place * h;
+    double value[LAG_RADAU_STAGES], slope[LAG_RADAU_STAGES];
+    lag_radau_weights(table, place, value, slope);
+    lag_status status = lag_stepper_dense(&run->stepper, t, s->work.state);
+    status = status == LAG_OK ? lag_columns_look(s, run, t, s->work.state, 0) : status;
+    for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
+        const lag_attempt_arrays at = arrays_of(s, run, block);
+        const size_t count = at.size * at.lanes;
+        find_inside(&at, table->stages, value, s->work.point);
+        set_point(s, run, &at);
+        status = lag_columns_rates(s, run, block, t, s->work.state, s->work.point, s->work.rates, NULL);
+        for (size_t lane = 0; lane < at.lanes && status == LAG_OK; ++lane) {
+            double *defect = s->work.state_of_stage;
+            for (size_t i = 0; i < at.size; ++i) {
+                double rate = 0.0;
+                for (size_t k = 0; k < table->stages; ++k) {
+                    rate += slope[k] * at.slope[k * count + i * at.lanes + lane];
+                }
+                defect[i] = s->work.rates[i * at.lanes + lane] - rate / h;
+            }
+            *error = fmax(*error, implicit_part(run, of_state, &at, lane, s->columns.extent[block * s->columns.lanes + lane], defect));
+        }
+    }
+    *error /= (double)(table->stages + 1);
+    return status == LAG_OK && !isfinite(*error) ? LAG_NOT_FINITE : status;
+}
+
+/* One step by the collocation equations of the last one, and its error. LAG_MISSING: they were not solved; they will be for a shorter step. */
+static lag_status implicit_step(lag_sensitivities *s, lag_run *run, double *error)
 {
     lag_radau_memo memo;
     const lag_radau_places of_state = last_of_state(&run->stepper, &memo);
@@ -193,7 +263,7 @@ static lag_status implicit_step(lag_sensitivities *s, lag_run *run)
             at.x_new[i] = at.x[i] + at.slope[last * count + i];
         }
     }
-    return status;
+    return status == LAG_OK ? implicit_error(s, run, &of_state, error) : status;
 }
 
 /* Value at a part of the step of the polynomial through zero and the stages z. */
@@ -202,17 +272,9 @@ static void implicit_dense(const lag_sensitivities *s, const lag_run *run, size_
     const lag_radau_places of_state = lag_radau_place(&run->stepper);
     const lag_radau_table *table = &lag_radau_tables[((size_t)of_state.memo->polynomial - 3) / 2];
     const lag_attempt_arrays at = arrays_of(s, run, block);
-    const size_t count = at.size * at.lanes;
-    memcpy(to, at.x, count * sizeof(double));
-    for (size_t k = 0; k < table->stages; ++k) {
-        double weight = part / table->node[k];
-        for (size_t j = 0; j < table->stages; ++j) {
-            weight *= j != k ? (part - table->node[j]) / (table->node[k] - table->node[j]) : 1.0;
-        }
-        for (size_t i = 0; i < count; ++i) {
-            to[i] += weight * at.slope[k * count + i];
-        }
-    }
+    double value[LAG_RADAU_STAGES], slope[LAG_RADAU_STAGES];
+    lag_radau_weights(table, part, value, slope);
+    find_inside(&at, table->stages, value, to);
 }
 
 /* ---- all ---- */
@@ -240,6 +302,13 @@ static int return_to_beginning(lag_sensitivities *s, const lag_run *run)
     return again;
 }
 
+/* Length of the next step as a part of this one, by this error. */
+static double part_of(const lag_stepper *stepper, double error)
+{
+    const double exponent = stepper->method->implicit ? -1.0 / (lag_radau_remembered(stepper)->polynomial + 1.0) : 0.0;
+    return stepper->method->implicit ? LAG_DOP853_SAFETY * pow(error, exponent) : lag_control_part(error);
+}
+
 lag_status lag_sensitivities_step(lag_run *run)
 {
     lag_sensitivities *s = lag_sensitivities_of(run);
@@ -253,7 +322,7 @@ lag_status lag_sensitivities_step(lag_run *run)
     }
     const int again = return_to_beginning(s, run);
     lag_status status = is_fixed(run) ? lag_columns_fixed_step(s, run) :
-        stepper->method->implicit ? implicit_step(s, run) : explicit_step(s, run, &error);
+        stepper->method->implicit ? implicit_step(s, run, &error) : explicit_step(s, run, &error);
     if (status == LAG_MISSING && h * LAG_DOP853_SHRINK > stepper->h_least) {
         s->columns.t = stepper->t;
         lag_stepper_undo(stepper, h * LAG_DOP853_SHRINK);
@@ -263,8 +332,9 @@ lag_status lag_sensitivities_step(lag_run *run)
         return status;
     }
     s->columns.t = stepper->t;
-    const double factor = error > 0.0 ? lag_control_part(error) : 1.0 / LAG_DOP853_SHRINK;
-    const int rounding = again && error > 0.5 * s->columns.rejected; /* a shorter step did not help */
+    const double factor = error > 0.0 ? part_of(stepper, error) : 1.0 / LAG_DOP853_SHRINK;
+    const int large = error * run->accuracy.relative > LARGE;
+    const int rounding = again && !large && error > 0.5 * s->columns.rejected; /* a shorter step did not help */
     if (error > 1.0 && !rounding && h * LAG_DOP853_SHRINK > stepper->h_least) {
         s->columns.rejected = error;
         lag_stepper_undo(stepper, h * fmax(LAG_DOP853_SHRINK, factor));
