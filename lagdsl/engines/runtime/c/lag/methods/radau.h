@@ -43,6 +43,8 @@ typedef struct lag_radau_memo {
     double age;        /* steps since it changed */
     double fresh;      /* 1: the Jacobian is that of the present state */
     double usable;     /* 1: there is a Jacobian */
+    double served;     /* so many steps were solved with it, or with that before it until the next one is taken, */
+    double spent;      /* in so many iterations, its own work among them as iterations */
     double decomposed; /* step length of the decompositions, 0: none */
     double polynomial; /* terms of the dense output of the step before, 0: there is none */
     double turning;    /* for so many more steps the Jacobian is taken as linear in time, 0: as constant in a step */
@@ -181,6 +183,9 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
 
 /* This work in evaluations of the rates by an explicit method, by multiplications; matrices are as large as those at hand. */
 double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done);
+
+/* The work of a new Jacobian and its decomposition as a number of iterations of Newton's method. */
+double lag_radau_renewal(const lag_stepper *s);
 
 /* The expected work of lag_radau from the present state of another method on, in the same measure. */
 typedef struct lag_radau_plan {

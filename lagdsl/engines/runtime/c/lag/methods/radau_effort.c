@@ -76,6 +76,13 @@ double lag_radau_effort(const lag_stepper *s, const lag_step_counts *done)
     return all / (evaluation + EXPLICIT * n);
 }
 
+double lag_radau_renewal(const lag_stepper *s)
+{
+    const lag_step_counts renewal = {.jacobians = 1, .decompositions = 1};
+    const lag_step_counts iteration = {.evaluations = lag_radau_place(s).table->stages};
+    return lag_radau_effort(s, &renewal) / lag_radau_effort(s, &iteration);
+}
+
 lag_radau_plan lag_radau_expect(lag_stepper *s)
 {
     const double factor = lag_radau.factor / s->method->factor;

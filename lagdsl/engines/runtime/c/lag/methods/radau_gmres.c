@@ -14,7 +14,10 @@
 
 enum { MOST = LAG_RADAU_KRYLOV, STAGES = LAG_RADAU_STAGES };
 
-/* The iteration ends when this part of the residual is left. */
+/*
+ * The iteration ends when this part of the residual is left. With a Jacobian that is continued, a tenth of the part is enough that an iteration of
+ * Newton's method left before, up to the root of this.
+ */
 static const double SMALL = 1e-6;
 
 /* The Hessenberg matrix, column by column as it grows, made triangular by rotations, and the rotated right-hand side. */
@@ -151,7 +154,8 @@ size_t lag_radau_gmres(const lag_stepper *s, const lag_radau_places *at, double 
         at->basis[i] = x[i] * by;
     }
     system.right[0] = start;
-    while (m < MOST && fabs(system.right[m]) > SMALL * start) {
+    const double small = at->memo->served > 0.0 ? fmax(SMALL, fmin(0.1 * at->memo->trust, sqrt(SMALL))) : SMALL;
+    while (m < MOST && fabs(system.right[m]) > small * start) {
         grow(s, at, h, m, system.column[m]);
         const int last = !(system.column[m][m + 1] > LAG_ROUNDING);
         if (!rotate(&system, m)) {

@@ -5,7 +5,7 @@
  * Where stiff directions turn along a step, as they do in mechanisms, iterations with a Jacobian that is constant converge for short
  * steps only (Lubich, Integration of stiff mechanical systems by Runge-Kutta methods, ZAMP 44 (1993) 1022). Then the Jacobian is
  * taken as quadratic in time, by that at the start of the step before, at its start and at its predicted end; the last is the one at
- * the start of the next step.
+ * the start of the next step. Where a Jacobian takes more work than an iteration, the polynomial is continued for as long as that saves work.
  *
  * Source: see lag/methods/radau.h; section IV.8, formulas (8.4) to (8.11).
  */
@@ -101,6 +101,8 @@ static void take_change(lag_stepper *s, const lag_radau_places *at, double h)
         at->bend[i] = before > 0.0 ? (at->change[i] - h * at->trend[i]) * (h / (h + before)) : 0.0;
     }
     at->memo->ahead = h;
+    at->memo->served = 0.0;
+    at->memo->spent = lag_radau_renewal(s);
 }
 
 /* The same along a part of that step. */
@@ -114,15 +116,51 @@ static void cut_change(size_t entries, const lag_radau_places *at, double part)
     at->memo->ahead *= part;
 }
 
+/*
+ * A Jacobian for the steps to come. It serves about as many as the one before did; half of them ahead, it is nearest to all of their states. No
+ * state behind the end of this step is predicted. The Jacobian is that of the present state where nothing predicts another, where the system has no
+ * rates there, and where it takes less work than an iteration.
+ */
+static lag_status renew_jacobian(lag_stepper *s, const lag_radau_places *at, double h)
+{
+    lag_radau_memo *memo = at->memo;
+    const double work = lag_radau_renewal(s);
+    const double part = memo->polynomial > 0.0 && memo->turning == 0.0 && work > 1.0 ? fmin(0.5 * memo->served, 1.0) : 0.0;
+    lag_status status = LAG_SINGULAR;
+    memo->served = 0.0;
+    memo->spent = work;
+    memo->fresh = memo->ahead = 0.0;
+    if (part > 0.0) {
+        s->method->dense(s, s->t + part * h, at->point);
+        status = take_jacobian(s, at, s->t + part * h, at->point, at->jacobian);
+    }
+    if (status != LAG_OK) {
+        status = take_jacobian(s, at, s->t, s->x, at->jacobian);
+        memo->fresh = status == LAG_OK ? 1.0 : 0.0;
+    }
+    memo->usable = status == LAG_OK ? 1.0 : 0.0;
+    return status;
+}
+
+/* The Jacobian at the end of a step, and the same polynomial, continued along a step of that length behind it. */
+static void move_along(size_t entries, const lag_radau_places *at)
+{
+    for (size_t i = 0; i < entries; ++i) {
+        at->jacobian[i] += at->change[i];
+        at->trend[i] = at->change[i] / at->memo->ahead;
+        at->change[i] += 2.0 * at->bend[i];
+    }
+    at->memo->before = at->memo->ahead;
+    at->memo->decomposed = at->memo->placed = 0.0;
+}
+
 /* Prepares Jacobian and factors of Newton's method for a step of length h. */
 static lag_status prepare(lag_stepper *s, const lag_radau_places *at, double h)
 {
     lag_radau_memo *memo = at->memo;
     lag_status status = LAG_OK;
     if (memo->usable == 0.0) {
-        status = take_jacobian(s, at, s->t, s->x, at->jacobian);
-        memo->ahead = 0.0;
-        memo->fresh = memo->usable = status == LAG_OK ? 1.0 : 0.0;
+        status = renew_jacobian(s, at, h);
     }
     if (status == LAG_OK && memo->turning > 0.0 && memo->ahead == 0.0) {
         take_change(s, at, h);
@@ -313,11 +351,24 @@ lag_status lag_radau_solve(lag_stepper *s, const lag_radau_places *at, double h,
         if (lag_radau_decompose(s, at, h) == LAG_OK) {
             *outcome = iterate(s, at, h, decides);
         }
-        if (outcome->converged || outcome->rejected || at->memo->fresh != 0.0 || at->memo->turning > 0.0) {
+        const int latest = at->memo->turning > 0.0 ? at->memo->served == 0.0 : at->memo->fresh != 0.0;
+        if (outcome->converged || outcome->rejected || latest) {
             return LAG_OK;
         }
-        at->memo->usable = 0.0;
+        at->memo->usable = at->memo->served = at->memo->before = 0.0;
     }
+}
+
+/*
+ * True if the Jacobian serves the next step. It is replaced where that step, with one iteration more than this one, takes more work than the steps
+ * since it was taken did each, its own work included: that keeps the work of a step least.
+ */
+static int serves(lag_radau_memo *memo, const lag_radau_outcome *outcome)
+{
+    const double iterations = (double)outcome->iterations;
+    memo->served += 1.0;
+    memo->spent += iterations;
+    return outcome->rate <= GOOD_RATE || (iterations + 1.0) * memo->served < memo->spent;
 }
 
 void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_radau_outcome *outcome)
@@ -329,18 +380,19 @@ void lag_radau_keep(const lag_stepper *s, const lag_radau_places *at, const lag_
         memo->wall = 0.0;
     }
     if (memo->turning > 0.0) {
-        for (size_t i = 0; i < lag_radau_entries(s->ode); ++i) {
-            at->jacobian[i] += at->change[i];
-            at->trend[i] = at->change[i] / memo->ahead;
-        }
-        memo->before = memo->ahead;
+        const int goes_on = serves(memo, outcome) && lag_radau_renewal(s) > 1.0;
+        move_along(lag_radau_entries(s->ode), at);
         memo->turning -= 1.0;
-        memo->usable = memo->turning > 0.0 ? 1.0 : 0.0;
+        const int known = goes_on || memo->served == 1.0; /* else the polynomial was continued too far to tell the next one */
+        memo->before = known ? memo->before : 0.0;
+        memo->ahead = goes_on ? memo->ahead : 0.0;
+        memo->usable = memo->turning > 0.0 && known ? 1.0 : 0.0;
     } else {
+        memo->usable = serves(memo, outcome) ? 1.0 : 0.0;
         memo->turning = outcome->smooth > SLOW ? TURNING : 0.0;
-        memo->usable = outcome->rate > GOOD_RATE ? 0.0 : 1.0;
+        memo->usable = memo->turning > 0.0 ? 0.0 : memo->usable;
+        memo->ahead = 0.0;
     }
-    memo->ahead = 0.0;
 }
 
 void lag_radau_fail(const lag_radau_places *at, const lag_radau_outcome *outcome)
