@@ -18,10 +18,12 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/finite.h"
+#include "lag/linalg/friction_problem.h"
 #include "lag/linalg/lemke.h"
 #include "lag/linalg/levenberg_marquardt.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/linear_program.h"
+#include "lag/linalg/margins.h"
 #include "lag/linalg/minimum.h"
 #include "lag/linalg/nnls.h"
 #include "lag/linalg/order.h"
@@ -49,7 +51,9 @@
 #include "lag/elimination/lu.c"
 #undef swap_rows
 
+#define most_rows blocks_most_rows
 #include "lag/equations/blocks.c"
+#undef most_rows
 
 #include "lag/equations/columns.c"
 
@@ -93,7 +97,11 @@
 
 #include "lag/equations/evaluate.c"
 
+#define MOST_STEPS feedback_MOST_STEPS
+#define begin feedback_begin
 #include "lag/equations/feedback.c"
+#undef MOST_STEPS
+#undef begin
 
 #define along jacobian_along
 #define functions jacobian_functions
@@ -155,6 +163,18 @@
 #include "lag/equations/system_scales.c"
 #undef find_components
 
+#define MOST_STEPS friction_problem_MOST_STEPS
+#define MOST_SWEEPS friction_problem_MOST_SWEEPS
+#define SWEEPS friction_problem_SWEEPS
+#define begin friction_problem_begin
+#define iterate friction_problem_iterate
+#include "lag/linalg/friction_problem.c"
+#undef MOST_STEPS
+#undef MOST_SWEEPS
+#undef SWEEPS
+#undef begin
+#undef iterate
+
 #define MOST lemke_MOST
 #define least lemke_least
 #define place lemke_place
@@ -178,6 +198,14 @@
 #undef swap_rows
 
 #include "lag/linalg/linear_program.c"
+
+#define FIRST margins_FIRST
+#define begin margins_begin
+#define most_rows margins_most_rows
+#include "lag/linalg/margins.c"
+#undef FIRST
+#undef begin
+#undef most_rows
 
 #define DIFFERENCE minimum_DIFFERENCE
 #define LOWER minimum_LOWER
@@ -235,8 +263,10 @@
 #undef accept
 
 #define ITERATIONS radau_effort_ITERATIONS
+#define SWEEPS radau_effort_SWEEPS
 #include "lag/methods/radau_effort.c"
 #undef ITERATIONS
+#undef SWEEPS
 
 #define MOST radau_gmres_MOST
 #define STAGES radau_gmres_STAGES
@@ -277,12 +307,14 @@
 #undef place
 #undef places
 
+#define FIRST stiffness_FIRST
 #define ITERATIONS stiffness_ITERATIONS
 #define STEADY stiffness_STEADY
 #define iterate stiffness_iterate
 #define multiply stiffness_multiply
 #define prepare stiffness_prepare
 #include "lag/methods/stiffness.c"
+#undef FIRST
 #undef ITERATIONS
 #undef STEADY
 #undef iterate

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/impulses/friction_problem.h"
+#include "lag/impulses/impulse.h"
 #include "lag/linalg/arena.h"
+#include "lag/linalg/friction_problem.h"
 #include "lag/linalg/vector.h"
 
 /* A map is continuous at an instant if it is the same there to LAG_SOLVED, or to LAG_FEW round-offs of coordinates or changes of a moment. */
