@@ -124,7 +124,7 @@ lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const doubl
     for (size_t i = 0; i < count; ++i) {
         *lag_contacts_flag(contacts, i) = contacts->blows.before[i] != 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
-    lag_status status = lag_contacts_open(contacts, t, x);
+    lag_status status = lag_contacts_open(contacts, t, x, 0);
     if (!lag_any(count, contacts->blows.approach) || status != LAG_OK) {
         return status;
     }
