@@ -1,6 +1,6 @@
 /* Minima over what is not negative, by the conditions that tell them. */
 #include "check.h"
-#include "lag/linalg/nnls.h"
+#include "lag/optimization/nnls.h"
 
 enum { MOST = 12 };
 

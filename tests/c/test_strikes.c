@@ -134,8 +134,8 @@ static void a_closed_contact_that_moves_apart_opens(void)
     const double rests[4] = {0.0, 1e6, 0.0, 0.0};
     const double rises[4] = {0.0, 1e6, 1e-3, 0.0};
     run->motion.w[law_at.contact] = 1.0;
-    CHECK(lag_contacts_are_at_rest(contacts, 0.0, rests) && lag_contacts_open(contacts, 0.0, rests) == LAG_OK && run->motion.w[law_at.contact] == 1.0);
-    CHECK(!lag_contacts_are_at_rest(contacts, 0.0, rises) && lag_contacts_open(contacts, 0.0, rises) == LAG_OK && run->motion.w[law_at.contact] == 0.0);
+    CHECK(lag_contacts_are_at_rest(contacts, 0.0, rests) && lag_contacts_open(contacts, 0.0, rests, 0) == LAG_OK && run->motion.w[law_at.contact] == 1.0);
+    CHECK(!lag_contacts_are_at_rest(contacts, 0.0, rises) && lag_contacts_open(contacts, 0.0, rises, 0) == LAG_OK && run->motion.w[law_at.contact] == 0.0);
     free(run);
 }
 

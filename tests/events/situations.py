@@ -276,7 +276,7 @@ CHOSEN = [
     ),
     Situation(
         "a blow on a clutch whose limit is known",
-        "impulses/friction_problem.c",
+        "optimization/friction_problem.c",
         # the inertia a hits its stop: the clutch lets go, b goes on and is braked by 1
         two("der(start = 2)", "der(start = 2)") + "friction clutch: der(a) - der(b) with limit = 1; "
         "contact stop: a <= 2 with restitution = 0.5;",

@@ -17,7 +17,7 @@ _DOUBLES = POINTER(c_double)
 
 
 class _Problem(Structure):
-    """lag_friction_problem of lag/impulses/friction_problem.h."""
+    """lag_friction_problem of lag/optimization/friction_problem.h."""
 
     _fields_ = (
         ("normals", c_size_t),
@@ -50,7 +50,7 @@ def solved_in_c(problem: RandomProblem) -> Floats | None:
     ]
     given = _Problem(problem.contacts, len(problem.components), *(_at(each) for each in blocks))
     f = np.zeros(size)
-    return f if library.lag_friction_problem_solve(byref(given), _at(f), _at(memory)) == 0 else None
+    return f if library.lag_friction_problem_solve(byref(given), _at(f), _at(memory)) else None
 
 
 def _at(values: Floats) -> ctypes._Pointer[c_double]:

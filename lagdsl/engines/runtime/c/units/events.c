@@ -86,15 +86,15 @@
 
 #define HALVES timed_HALVES
 #define ULPS timed_ULPS
-#define doubt_of timed_doubt_of
 #define evaluate timed_evaluate
+#define is_known timed_is_known
 #define look_at timed_look_at
 #define value_of timed_value_of
 #include "lag/events/timed.c"
 #undef HALVES
 #undef ULPS
-#undef doubt_of
 #undef evaluate
+#undef is_known
 #undef look_at
 #undef value_of
 
@@ -109,10 +109,12 @@
 #undef NODES
 
 #define evaluate conditions_evaluate
+#define is_known conditions_is_known
 #define size_of conditions_size_of
 #define take conditions_take
 #include "lag/run/conditions.c"
 #undef evaluate
+#undef is_known
 #undef size_of
 #undef take
 
@@ -154,7 +156,6 @@
 
 #define FIRST run_scan_FIRST
 #define count_of run_scan_count_of
-#define doubt_of run_scan_doubt_of
 #define look run_scan_look
 #define look_at run_scan_look_at
 #define place_of run_scan_place_of
@@ -162,7 +163,6 @@
 #include "lag/run/run_scan.c"
 #undef FIRST
 #undef count_of
-#undef doubt_of
 #undef look
 #undef look_at
 #undef place_of

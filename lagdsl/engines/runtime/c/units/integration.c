@@ -18,12 +18,8 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/finite.h"
-#include "lag/linalg/lemke.h"
-#include "lag/linalg/levenberg_marquardt.h"
 #include "lag/linalg/linalg.h"
-#include "lag/linalg/linear_program.h"
 #include "lag/linalg/minimum.h"
-#include "lag/linalg/nnls.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/pivoted_cholesky.h"
 #include "lag/linalg/root.h"
@@ -35,6 +31,12 @@
 #include "lag/methods/radau.h"
 #include "lag/methods/step_control.h"
 #include "lag/methods/stiffness.h"
+#include "lag/optimization/friction_problem.h"
+#include "lag/optimization/lemke.h"
+#include "lag/optimization/levenberg_marquardt.h"
+#include "lag/optimization/linear_program.h"
+#include "lag/optimization/margins.h"
+#include "lag/optimization/nnls.h"
 #include "lag/stepper.h"
 #include <float.h>
 #include <math.h>
@@ -49,7 +51,9 @@
 #include "lag/elimination/lu.c"
 #undef swap_rows
 
+#define most_rows blocks_most_rows
 #include "lag/equations/blocks.c"
+#undef most_rows
 
 #include "lag/equations/columns.c"
 
@@ -93,7 +97,11 @@
 
 #include "lag/equations/evaluate.c"
 
+#define MOST_STEPS feedback_MOST_STEPS
+#define begin feedback_begin
 #include "lag/equations/feedback.c"
+#undef MOST_STEPS
+#undef begin
 
 #define along jacobian_along
 #define functions jacobian_functions
@@ -155,20 +163,6 @@
 #include "lag/equations/system_scales.c"
 #undef find_components
 
-#define MOST lemke_MOST
-#define least lemke_least
-#define place lemke_place
-#include "lag/linalg/lemke.c"
-#undef MOST
-#undef least
-#undef place
-
-#define judge levenberg_marquardt_judge
-#define take levenberg_marquardt_take
-#include "lag/linalg/levenberg_marquardt.c"
-#undef judge
-#undef take
-
 #define MOST_SWEEPS linalg_MOST_SWEEPS
 #define rotate linalg_rotate
 #define swap_rows linalg_swap_rows
@@ -176,8 +170,6 @@
 #undef MOST_SWEEPS
 #undef rotate
 #undef swap_rows
-
-#include "lag/linalg/linear_program.c"
 
 #define DIFFERENCE minimum_DIFFERENCE
 #define LOWER minimum_LOWER
@@ -188,12 +180,6 @@
 #undef LOWER
 #undef SAFETY
 #undef put
-
-#define scale nnls_scale
-#define solve nnls_solve
-#include "lag/linalg/nnls.c"
-#undef scale
-#undef solve
 
 #define eliminate pivoted_cholesky_eliminate
 #define judge pivoted_cholesky_judge
@@ -235,8 +221,10 @@
 #undef accept
 
 #define ITERATIONS radau_effort_ITERATIONS
+#define SWEEPS radau_effort_SWEEPS
 #include "lag/methods/radau_effort.c"
 #undef ITERATIONS
+#undef SWEEPS
 
 #define MOST radau_gmres_MOST
 #define STAGES radau_gmres_STAGES
@@ -277,14 +265,58 @@
 #undef place
 #undef places
 
+#define FIRST stiffness_FIRST
 #define ITERATIONS stiffness_ITERATIONS
 #define STEADY stiffness_STEADY
 #define iterate stiffness_iterate
 #define multiply stiffness_multiply
 #define prepare stiffness_prepare
 #include "lag/methods/stiffness.c"
+#undef FIRST
 #undef ITERATIONS
 #undef STEADY
 #undef iterate
 #undef multiply
 #undef prepare
+
+#define MOST_STEPS friction_problem_MOST_STEPS
+#define MOST_SWEEPS friction_problem_MOST_SWEEPS
+#define SWEEPS friction_problem_SWEEPS
+#define begin friction_problem_begin
+#define iterate friction_problem_iterate
+#include "lag/optimization/friction_problem.c"
+#undef MOST_STEPS
+#undef MOST_SWEEPS
+#undef SWEEPS
+#undef begin
+#undef iterate
+
+#define MOST lemke_MOST
+#define least lemke_least
+#define place lemke_place
+#include "lag/optimization/lemke.c"
+#undef MOST
+#undef least
+#undef place
+
+#define judge levenberg_marquardt_judge
+#define take levenberg_marquardt_take
+#include "lag/optimization/levenberg_marquardt.c"
+#undef judge
+#undef take
+
+#include "lag/optimization/linear_program.c"
+
+#define FIRST margins_FIRST
+#define begin margins_begin
+#define most_rows margins_most_rows
+#include "lag/optimization/margins.c"
+#undef FIRST
+#undef begin
+#undef most_rows
+
+#define scale nnls_scale
+#define solve nnls_solve
+#include "lag/optimization/nnls.c"
+#undef scale
+#undef solve

@@ -7,7 +7,6 @@
 #include "lag/equations/entries.h"
 #include "lag/equations/motion.h"
 #include "lag/equations/rank.h"
-#include "lag/impulses/friction_problem.h"
 #include "lag/impulses/impulse.h"
 #include "lag/impulses/inequalities.h"
 #include "lag/impulses/position_maps.h"
@@ -20,14 +19,13 @@
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/finite.h"
-#include "lag/linalg/lemke.h"
 #include "lag/linalg/linalg.h"
-#include "lag/linalg/linear_program.h"
-#include "lag/linalg/nnls.h"
 #include "lag/linalg/order.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 #include "lag/methods/accuracy.h"
+#include "lag/optimization/friction_problem.h"
+#include "lag/optimization/margins.h"
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -70,48 +68,20 @@
 #undef solve
 
 #define NOTHING reserve_NOTHING
-#define begin reserve_begin
-#define left_of reserve_left_of
-#define refine reserve_refine
 #define row_of reserve_row_of
 #define size_of reserve_size_of
-#define solve reserve_solve
 #include "lag/contacts/reserve.c"
 #undef NOTHING
-#undef begin
-#undef left_of
-#undef refine
 #undef row_of
 #undef size_of
-#undef solve
 
-#define MOST_STEPS friction_problem_MOST_STEPS
-#define ROUNDING friction_problem_ROUNDING
-#define begin friction_problem_begin
-#define improve friction_problem_improve
-#define iterate friction_problem_iterate
-#define size_of friction_problem_size_of
-#include "lag/impulses/friction_problem.c"
-#undef MOST_STEPS
-#undef ROUNDING
-#undef begin
-#undef improve
-#undef iterate
-#undef size_of
-
-#define MOST_STEPS impulse_MOST_STEPS
 #define NOTHING impulse_NOTHING
 #define ROUNDING impulse_ROUNDING
-#define begin impulse_begin
 #define find_sizes impulse_find_sizes
-#define iterate impulse_iterate
 #include "lag/impulses/impulse.c"
-#undef MOST_STEPS
 #undef NOTHING
 #undef ROUNDING
-#undef begin
 #undef find_sizes
-#undef iterate
 
 #include "lag/impulses/impulse_step.c"
 
@@ -155,12 +125,10 @@
 
 #define TRIES initial_ranks_TRIES
 #define find_parts initial_ranks_find_parts
-#define left_of initial_ranks_left_of
 #define place initial_ranks_place
 #include "lag/initial/initial_ranks.c"
 #undef TRIES
 #undef find_parts
-#undef left_of
 #undef place
 
 #include "lag/initial/initial_rates.c"
@@ -187,10 +155,6 @@
 
 #define copy nearest_configuration_copy
 #define descend nearest_configuration_descend
-#define improve nearest_configuration_improve
-#define refine nearest_configuration_refine
 #include "lag/initial/nearest_configuration.c"
 #undef copy
 #undef descend
-#undef improve
-#undef refine

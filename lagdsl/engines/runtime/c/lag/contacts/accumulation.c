@@ -1,10 +1,8 @@
 /*
- * Contacts behind the impacts of an instant. A contact that does not part is closed. Bounces that follow each other ever faster accumulate: they would not
- * end. With r, the fastest parting over the fastest approach of all contacts of the instant, flights of T take T/(1 - r) with all that follow, and at the
- * limit of this series the bodies rest. So all that part are held from now on, if what is left is too short to follow for each of them.
+ * Contacts behind the impacts of an instant. A contact that does not part is closed. Bounces that accumulate are held (docs/explanation/hybrid_model.md).
  *
  * Speeds of contacts are compared by the energies that would stop them, u^2/(2 W): a gap may be a length or an angle. A contact that parts at u and comes
- * back with the acceleration a flies for 2 u/a. Contacts of other components of the mechanism do not count.
+ * back with the acceleration a flies for 2 u/a.
  *
  * Source: G. W. Housner, Bull. Seismol. Soc. Am. 53 (1963) 403 (a rocking block loses the same part of its rate in each blow); Pfeiffer, Glocker, Multibody
  * Dynamics with Unilateral Contacts (1996), chapter 8.
@@ -126,7 +124,7 @@ lag_status lag_contacts_accumulate(lag_contacts *contacts, double t, const doubl
     for (size_t i = 0; i < count; ++i) {
         *lag_contacts_flag(contacts, i) = contacts->blows.before[i] != 0.0 ? 1.0 : *lag_contacts_flag(contacts, i);
     }
-    lag_status status = lag_contacts_open(contacts, t, x);
+    lag_status status = lag_contacts_open(contacts, t, x, 0);
     if (!lag_any(count, contacts->blows.approach) || status != LAG_OK) {
         return status;
     }

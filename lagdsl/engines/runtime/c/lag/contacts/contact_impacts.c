@@ -140,7 +140,7 @@ static lag_status solve_impacts(lag_contacts *contacts, double t, double *x, con
     return LAG_EVENT_ITERATION_FAILED;
 }
 
-lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x)
+lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x, int corner)
 {
     const size_t count = contacts->motion->model->ncontact;
     if (!lag_any(count, lag_contacts_flag(contacts, 0))) {
@@ -148,7 +148,8 @@ lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x)
     }
     const lag_status status = lag_contacts_evaluate_at(contacts, t, x);
     for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        if (!lag_contacts_touches(contacts, i) || contacts->speed[i] > lag_contacts_speed_band(contacts, i)) {
+        const double parting = corner ? fabs(contacts->speed[i]) : contacts->speed[i];
+        if (!lag_contacts_touches(contacts, i) || parting > lag_contacts_speed_band(contacts, i)) {
             *lag_contacts_flag(contacts, i) = 0.0;
         }
     }

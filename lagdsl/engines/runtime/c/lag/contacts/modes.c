@@ -103,14 +103,10 @@ static lag_status find_rows(lag_modes *modes)
 static void add_loads(lag_modes *modes, size_t number, size_t row)
 {
     const lag_model *model = modes->motion->model;
-    const lag_loads *loads = &modes->loads;
     const double lam = modes->motion->lam[row];
-    for (size_t k = 0; k < model->nload; ++k) {
-        const double part = loads->by_multiplier[k * model->nc + row];
-        for (size_t j = 0; j < model->nq; ++j) { /* how M qdd - f changes: a force is its negative */
-            modes->rows.columns[number * model->nq + j] -= part * loads->motion[j * model->nload + k];
-        }
-        modes->w[modes->motion->places.load + k] -= isfinite(lam) ? part * lam : 0.0;
+    lag_loads_add_to_force(&modes->loads, model, row, modes->rows.columns + number * model->nq);
+    for (size_t k = 0; k < model->nload && isfinite(lam); ++k) {
+        modes->w[modes->motion->places.load + k] -= modes->loads.by_multiplier[k * model->nc + row] * lam;
     }
 }
 

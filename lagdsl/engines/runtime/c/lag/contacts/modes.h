@@ -1,11 +1,8 @@
 /*
  * Modes of contacts and friction just behind an instant, by the problem of accelerations: a gap that is zero with its rate stays closed with a force that
  * pushes, or opens with its acceleration; a slip that is zero stays so with a force within what friction bears at rest, or begins against its force. At the level
- * of accelerations these are the same inequalities as those of rates in a blow (lag/impulses/friction_problem.h).
- *
- * Friction that slides keeps its direction. Contacts whose force left their mode open; friction whose force left it slips against its force where that is
- * at the limit, and the problem decides about the others. Where the limit at rest is above that of sliding it is solved with the first; what slips then
- * has the second: again, until no more of them slip.
+ * of accelerations these are the same inequalities as those of rates in a blow (lag/optimization/friction_problem.h). What left its mode, and limits at rest
+ * above those of sliding: docs/explanation/hybrid_model.md, part 3 of a pass.
  *
  * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 6.
  */

@@ -5,7 +5,7 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
-#include "lag/linalg/linear_program.h"
+#include "lag/optimization/margins.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
@@ -13,21 +13,9 @@
 static const double RANK = 1e-9;
 /* A side has nothing left below this part of the forces of its group. */
 static const double NOTHING = 1e-9;
-/* A force outside of a disc by less than this part of its limit is in it. */
-static const double OUTSIDE = 1e-13;
-/* Tangents of a disc: four to begin with, and those that are added. */
-enum { FIRST = 4, MORE = 12 };
-
-static size_t most_inequalities(const lag_model *model)
-{
-    return model->ncontact + (FIRST + MORE + 1) * model->nfriction + 1;
-}
-
 static size_t work_memory(const lag_model *model)
 {
-    const size_t rows = most_inequalities(model);
-    const size_t unknowns = 2 * model->nc + 1;
-    const size_t program = rows * (unknowns + 2) + 2 * unknowns + model->nc + lag_linear_program_memory(unknowns, rows);
+    const size_t program = lag_margins_memory(model->nc, model->ncontact + model->nfriction, model->nfriction);
     return lag_larger(program, model->nq * model->nc + lag_svd_memory(model->nq, model->nc));
 }
 
@@ -39,7 +27,7 @@ void lag_reserve_place(lag_reserve *reserve, lag_frictions *frictions, lag_layou
         return;
     }
     reserve->forces = lag_lay(layout, model->nc * model->nq);
-    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->place, &reserve->group, &reserve->force, NULL});
+    lag_lay_all(layout, model->nc, (double **const[]){&reserve->residual, &reserve->length, &reserve->place, &reserve->group, NULL});
     lag_lay_all(layout, model->nq, (double **const[]){&reserve->tied, &reserve->looked, NULL});
     reserve->basis = lag_lay(layout, model->nc * model->nc);
     reserve->empty = lag_lay(layout, model->ncontact + model->nfriction);
@@ -82,19 +70,6 @@ static double gain_of(const lag_reserve *r, size_t side, size_t row)
     return side < model->ncontact ? row == model->contact_rows[side] : r->frictions->sticking_gain[(side - model->ncontact) * model->nc + row];
 }
 
-/* The rest of the limit of a side with these forces (nc). */
-static double left_of(const lag_reserve *r, size_t side, const double *force)
-{
-    const lag_model *model = r->motion->model;
-    const double *lam = r->motion->lam;
-    const double load = loads_of(r, side) > 0 ? lag_slip_length(loads_of(r, side), force + row_of(r, side)) : 0.0;
-    double limit = side < model->ncontact ? lam[row_of(r, side)] : r->frictions->sticking[side - model->ncontact];
-    for (size_t i = 0; i < model->nc; ++i) {
-        limit += gain_of(r, side, i) != 0.0 ? gain_of(r, side, i) * (force[i] - lam[i]) : 0.0;
-    }
-    return limit - load;
-}
-
 /* 1: the side belongs to this group: a contact, or friction that sticks. */
 static int is_in(const lag_reserve *r, size_t side, double group)
 {
@@ -123,11 +98,8 @@ static lag_status find_forces(lag_reserve *r)
     for (size_t row = 0; row < model->nc && status == LAG_OK; ++row) {
         double *force = r->forces + row * n;
         r->length[row] = sqrt(lag_dot(n, force, force));
-        for (size_t l = 0; l < model->nload && r->length[row] > 0.0; ++l) { /* a force is the negative of how M qdd - f changes */
-            const double load = r->loads.by_multiplier[l * model->nc + row];
-            for (size_t j = 0; j < n && load != 0.0; ++j) {
-                force[j] -= r->loads.motion[j * model->nload + l] * load;
-            }
+        if (r->length[row] > 0.0) {
+            lag_loads_add_to_force(&r->loads, model, row, force);
         }
         r->place[row] = (double)(lag_first(n, force) % n);
         lag_join_entries(r->tied, n, force, (size_t)r->place[row]);
@@ -216,101 +188,25 @@ static void find_groups(lag_reserve *r)
 
 /* ---- the program of one group ---- */
 
-/* Inequalities a x <= b of unknowns x = (y+, y-, s), with y the parts of the basis. */
-typedef struct program {
-    size_t rows, unknowns;
-    double least; /* the reserve of the smallest forces, from which s counts: the program has a solution to begin with */
-    double *a, *b, *c, *x;
-    double *form; /* (nc) of multipliers */
-    double *memory;
-} program;
-
-static program begin(const lag_reserve *r, double group)
+/* A side with its limit and its load, by parts of the basis. */
+static void add_side(const lag_reserve *r, lag_margins *margins, size_t side)
 {
-    const size_t rows = most_inequalities(r->motion->model);
-    double *memory = r->work;
-    program p = {.unknowns = 2 * r->undetermined + 1, .least = 1.0};
-    for (size_t side = 0; side < count_sides(r); ++side) {
-        p.least = is_in(r, side, group) ? fmin(p.least, left_of(r, side, r->motion->lam) / size_of(r, side)) : p.least;
-    }
-    p.a = lag_take(&memory, rows * p.unknowns);
-    p.b = lag_take(&memory, rows);
-    p.c = lag_take(&memory, p.unknowns);
-    p.x = lag_take(&memory, p.unknowns);
-    p.form = lag_take(&memory, r->motion->model->nc);
-    p.memory = memory;
-    lag_fill(p.unknowns, 0.0, p.c);
-    p.c[p.unknowns - 1] = 1.0;
-    /* forces may press against each other as much as they like */
-    lag_fill(p.unknowns, 0.0, p.a);
-    p.a[p.unknowns - 1] = 1.0;
-    p.b[p.rows++] = 1.0 - p.least;
-    return p;
-}
-
-/* along . (lam_t + d_t) + s size <= R_0 with the forces d. */
-static void add_tangent(const lag_reserve *r, program *p, size_t side, const double *along)
-{
-    const size_t m = r->motion->model->nc;
-    const size_t count = loads_of(r, side);
-    const double *force = r->motion->lam + row_of(r, side);
-    const double load = count > 0 ? lag_slip_length(count, force) : 0.0;
-    double *inequality = p->a + p->rows * p->unknowns;
-    for (size_t i = 0; i < m; ++i) {
-        p->form[i] = -gain_of(r, side, i);
-    }
-    lag_axpy(count, 1.0, along, p->form + row_of(r, side));
+    const lag_model *model = r->motion->model;
+    const size_t row = row_of(r, side);
+    double *limit = lag_margins_add(margins, loads_of(r, side), size_of(r, side));
+    limit[0] = side < model->ncontact ? r->motion->lam[row] : r->frictions->sticking[side - model->ncontact];
     for (size_t v = 0; v < r->undetermined; ++v) {
-        inequality[v] = lag_dot(m, p->form, r->basis + v * m);
-        inequality[r->undetermined + v] = -inequality[v];
-    }
-    inequality[p->unknowns - 1] = size_of(r, side);
-    p->b[p->rows++] = left_of(r, side, r->motion->lam) + load - lag_dot(count, along, force) - p->least * size_of(r, side);
-}
-
-/* A contact has one inequality, friction one in each sense, in a plane four around its force. */
-static void add_side(lag_reserve *r, program *p, size_t side)
-{
-    const double *force = r->motion->lam + row_of(r, side);
-    const size_t count = loads_of(r, side);
-    const double length = count > 1 ? lag_slip_length(count, force) : 0.0;
-    const double along[2] = {length > 0.0 ? force[0] / length : 1.0, length > 0.0 ? force[1] / length : 0.0};
-    const double ways[FIRST][2] = {{along[0], along[1]}, {-along[0], -along[1]}, {-along[1], along[0]}, {along[1], -along[0]}};
-    for (size_t i = 0; i < (count > 0 ? 2 * count : 1); ++i) {
-        add_tangent(r, p, side, ways[i]);
-    }
-}
-
-/* Solves the program: multipliers of its solution, and its reserve. */
-static int solve(lag_reserve *r, program *p, double *reserve)
-{
-    const size_t m = r->motion->model->nc;
-    for (size_t i = 0; i < p->rows; ++i) {
-        p->b[i] = fmax(p->b[i], 0.0);
-    }
-    const int found = lag_linear_program(p->unknowns, p->rows, p->a, p->b, p->c, p->x, p->memory);
-    memcpy(r->force, r->motion->lam, m * sizeof(double));
-    for (size_t v = 0; v < r->undetermined && found; ++v) {
-        lag_axpy(m, p->x[v] - p->x[r->undetermined + v], r->basis + v * m, r->force);
-    }
-    *reserve = p->x[p->unknowns - 1] + p->least;
-    return found;
-}
-
-/* Tangents where forces of friction in a plane are beyond their discs, less the reserve; 1: some were added. */
-static int refine(lag_reserve *r, program *p, double group, double reserve)
-{
-    int added = 0;
-    for (size_t side = 0; side < count_sides(r); ++side) {
-        const double *force = r->force + row_of(r, side);
-        if (loads_of(r, side) > 1 && is_in(r, side, group) && left_of(r, side, r->force) < (reserve - OUTSIDE) * size_of(r, side)) {
-            const double length = lag_slip_length(2, force);
-            const double along[2] = {force[0] / length, force[1] / length};
-            add_tangent(r, p, side, along);
-            added = 1;
+        const double *part = r->basis + v * model->nc;
+        for (size_t i = 0; i < model->nc; ++i) {
+            limit[1 + v] += gain_of(r, side, i) * part[i];
+        }
+        for (size_t k = 0; k < loads_of(r, side); ++k) {
+            limit[(1 + k) * (1 + r->undetermined) + 1 + v] = part[row + k];
         }
     }
-    return added;
+    for (size_t k = 0; k < loads_of(r, side); ++k) {
+        limit[(1 + k) * (1 + r->undetermined)] = r->motion->lam[row + k];
+    }
 }
 
 /* The size of the forces of a group, those that limits follow included; zero: nothing in it sticks. */
@@ -333,25 +229,19 @@ static double find_force_size(const lag_reserve *r, double group)
 /* The reserve of a group, and which of its sides have nothing left. */
 static void find_reserve(lag_reserve *r, double group)
 {
-    double reserve = 0.0;
-    int again = 1;
+    lag_margins margins = lag_margins_of(r->undetermined, count_sides(r), r->work);
+    size_t number = 0;
     r->force_size = find_force_size(r, group);
-    if (r->force_size == 0.0) {
-        return;
-    }
-    program p = begin(r, group);
-    for (size_t side = 0; side < count_sides(r); ++side) {
+    for (size_t side = 0; side < count_sides(r) && r->force_size > 0.0; ++side) {
         if (is_in(r, side, group)) {
-            add_side(r, &p, side);
+            add_side(r, &margins, side);
         }
     }
-    for (int k = 0; k <= MORE && again && solve(r, &p, &reserve); ++k) {
-        again = refine(r, &p, group, reserve);
-    }
-    for (size_t side = 0; side < count_sides(r); ++side) {
+    const double reserve = margins.sides > 0 ? lag_margins_solve(&margins) : 0.0;
+    for (size_t side = 0; side < count_sides(r) && number < margins.sides; ++side) {
         if (is_in(r, side, group)) {
             r->frictions->reserve[side] = reserve * size_of(r, side);
-            r->empty[side] = left_of(r, side, r->force) <= NOTHING * size_of(r, side);
+            r->empty[side] = lag_margin_of(&margins, number++) <= NOTHING * size_of(r, side);
         }
     }
 }

@@ -1,12 +1,10 @@
 /*
- * The rest of the limits of friction where the motion does not determine the forces. Rows that depend on each other may share a load in
- * many ways, and a mode lasts as long as some forces within their limits exist. So there is one reserve for each group of rows that share
- * undetermined forces: the largest least one, a linear program
+ * The rest of the limits of friction where the motion does not determine the forces: for each group of rows that share undetermined forces the
+ * largest least one
  *
  *     max s   subject to   J' d = 0,   norm(lam_t + d_t) + s size_t <= R_0(lam_n + d_n),   s size_n <= lam_n + d_n
  *
- * with lam the smallest forces. A disc of friction in a plane is met by tangents, which are added where a solution is outside of it. A contact is a
- * side like friction: it bears its own force, and has no load.
+ * with lam the smallest forces (lag/optimization/margins.h). A contact is a side like friction: it bears its own force, and has no load.
  */
 #ifndef LAG_RESERVE_H
 #define LAG_RESERVE_H
@@ -25,8 +23,7 @@ typedef struct lag_reserve {
     double *basis;           /* (undetermined, nc) multipliers in one set without effect, orthonormal as forces of unit rows; */
     size_t undetermined;     /* so many */
     double *group;           /* (nc) of each row; zero: it shares nothing, or does not act */
-    double *force;           /* (nc) multipliers with the largest least reserve */
-    double *empty;           /* (ncontact + nfriction) 1: with these forces it has nothing left */
+    double *empty;           /* (ncontact + nfriction) 1: with the forces that have the largest least reserve it has nothing left */
     lag_loads loads;         /* that forces bring along, as those of friction that slides */
     double *work;
 } lag_reserve;

@@ -48,6 +48,16 @@ lag_status lag_loads_gain(lag_loads *loads, const lag_model *model, const lag_ar
     return model->nload > 0 ? model->load_gain(at, loads->motion, loads->unused, outputs, loads->by_load) : LAG_OK;
 }
 
+void lag_loads_add_to_force(const lag_loads *loads, const lag_model *model, size_t row, double *force)
+{
+    for (size_t k = 0; k < model->nload; ++k) {
+        const double part = loads->by_multiplier[k * model->nc + row];
+        for (size_t j = 0; j < model->nq && part != 0.0; ++j) { /* a force is the negative of how M qdd - f changes */
+            force[j] -= part * loads->motion[j * model->nload + k];
+        }
+    }
+}
+
 typedef struct feedback {
     const lag_model *model;
     lag_arguments at;        /* with w, qdd and lam of its own */

@@ -36,6 +36,9 @@ void lag_loads_place(lag_loads *loads, const lag_model *model, lag_layout *layou
 lag_status lag_loads_evaluate(lag_loads *loads, const lag_model *model, const lag_arguments *at);
 lag_status lag_loads_gain(lag_loads *loads, const lag_model *model, const lag_arguments *at);
 
+/* Adds to `force` (nq), that of a row with a unit multiplier, the loads that this multiplier brings along. */
+void lag_loads_add_to_force(const lag_loads *loads, const lag_model *model, size_t row, double *force);
+
 /* Doubles for it. */
 size_t lag_feedback_memory(const lag_model *model);
 

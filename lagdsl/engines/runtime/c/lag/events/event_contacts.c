@@ -36,18 +36,6 @@ lag_status lag_instants_impact(lag_instants *instants, double t, double *x, cons
     return status == LAG_OK && any ? lag_projection_rates(instants->projection, t, x, NULL) : status;
 }
 
-lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double *x)
-{
-    lag_contacts *contacts = &instants->contacts;
-    const size_t count = instants->motion->model->ncontact;
-    double *closed = instants->motion->w + instants->motion->places.contact;
-    lag_status status = lag_any(count, closed) ? lag_contacts_evaluate_at(contacts, t, x) : LAG_OK;
-    for (size_t i = 0; i < count && status == LAG_OK; ++i) {
-        closed[i] *= contacts->speed[i] >= -lag_contacts_speed_band(contacts, i);
-    }
-    return status == LAG_OK ? lag_contacts_open(contacts, t, x) : status;
-}
-
 lag_status lag_instants_change_contacts(lag_instants *instants, double t, double *x, const double *changed)
 {
     const lag_model *model = instants->motion->model;

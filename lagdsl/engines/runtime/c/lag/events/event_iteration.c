@@ -122,7 +122,7 @@ static lag_status act(lag_instants *instants, double t, double *x, int *acted)
     if (*acted) {
         lag_modes_release_frictions(&instants->modes);
     }
-    return status == LAG_OK && *acted ? lag_contacts_open(&instants->contacts, t, x) : status;
+    return status == LAG_OK && *acted ? lag_contacts_open(&instants->contacts, t, x, 0) : status;
 }
 
 /* 1: other discretes than contacts are those with which the rates were moved onto the constraints last. */
@@ -195,7 +195,7 @@ lag_status lag_instants_turn(lag_instants *instants, double t, double *x, size_t
         instants->discretes.guilty[instants->motion->places.relation + which] = 1.0;
     }
     status = status == LAG_OK && refracted ? balance(instants, t, x, x, instants->motion->w, NULL) : status;
-    return status == LAG_OK && !back ? lag_instants_turn_gaps(instants, t, x) : status;
+    return status == LAG_OK && !back ? lag_contacts_open(&instants->contacts, t, x, 1) : status;
 }
 
 /*

@@ -1,7 +1,6 @@
 /*
- * Sides of relations just behind an instant. A relation lies on the side of its value where that is clear of round-off; else the motion leads it to that of
- * its rate, or, where that is not clear either, of its acceleration. The model has these as expressions. A relation that shows no side stays what it is: where
- * its derivatives read rates that no equation gives, those of inputs, accelerations or multipliers, the scan finds it when it leaves.
+ * Sides of relations just behind an instant, by their values, rates and accelerations. The model has these as expressions. A relation shows no side where its
+ * derivatives read rates that no equation gives, those of inputs, accelerations or multipliers.
  */
 #include <math.h>
 #include <string.h>

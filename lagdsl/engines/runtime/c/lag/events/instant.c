@@ -219,7 +219,7 @@ lag_status lag_instants_prescribe(lag_instants *instants, double t, double *x, c
     if (status != LAG_OK || !blow || instants->motion->model->ncontact + instants->motion->model->nfriction == 0) {
         return status;
     }
-    status = lag_contacts_open(&instants->contacts, t, x);
+    status = lag_contacts_open(&instants->contacts, t, x, 0);
     return status == LAG_OK ? run(instants, t, x, NULL, NULL) : status;
 }
 

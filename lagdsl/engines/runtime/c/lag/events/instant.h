@@ -162,12 +162,6 @@ lag_status lag_instants_conditions(lag_instants *instants, double t, const doubl
 lag_status lag_instants_run(lag_instants *instants, double t, double *x, const double *relations, const double *sides);
 
 /*
- * A relation has turned: closed contacts whose gap has a corner there, as a valley has, open where it leads them apart, and meet the other
- * side by the law of impact where it does not.
- */
-lag_status lag_instants_turn_gaps(lag_instants *instants, double t, const double *x);
-
-/*
  * At an instant gaps do not become negative, and position maps are the same with the discretes and states of now:
  * LAG_PENETRATION or LAG_WAY_JUMP, and flags of what has changed, if not.
  */

@@ -16,8 +16,10 @@ static const double ULPS = 16.0;
 enum { FARTHER = 32 };
 /* The experiment is looked over in so many parts for zeros of what is not affine, */
 static const double PARTS = 64.0;
-/* each of them halved at most so often. */
+/* each of them halved at most so often, */
 enum { HALVES = 20 };
+/* at this part of it: places lie so that no periodic function seems to have none of its waves. */
+static const double MIDDLE = 0.4583;
 
 void lag_timed_place(lag_timed *timed, lag_motion *motion, lag_layout *layout)
 {
@@ -52,102 +54,86 @@ typedef struct distance {
     lag_timed *timed;
     size_t which;
     lag_status status;
-    double t, value, rate; /* of the last look */
 } distance;
+
+/* A distance and its rate at a time. */
+typedef struct place {
+    double t, value, rate;
+} place;
+
+static place look_at(distance *one, double t)
+{
+    const lag_status status = evaluate(one->timed, t);
+    one->status = one->status == LAG_OK ? status : one->status;
+    return (place){t, one->timed->distance[one->which], one->timed->rate[one->which]};
+}
 
 static double value_of(void *context, double t)
 {
-    distance *one = context;
-    const lag_status status = evaluate(one->timed, t);
-    one->status = one->status == LAG_OK ? status : one->status;
-    one->value = one->timed->distance[one->which];
-    one->rate = one->timed->rate[one->which];
-    return one->value;
+    return look_at(context, t).value;
 }
 
-static double zero_between(distance *one, double a, double before, double b, double behind)
+static double rate_of(void *context, double t)
 {
-    return lag_root(value_of, one, a, fmax(before, DBL_MIN), b, behind, DBL_EPSILON * fabs(b));
+    return look_at(context, t).rate;
 }
 
-static int look_at(void *context, double t, double *value)
+/* The first zero between two places where the distance is a polynomial of degree three, about; infinite without. It has a minimum where its rate turns. */
+static double zero_between(distance *one, place a, place b)
 {
-    distance *one = context;
-    *value = value_of(one, t);
-    one->t = t;
-    return !(*value > 0.0);
-}
-
-/* The first zero in a piece, of which the samples are known; infinite without. */
-static double zero_in(distance *one, const double *t, const double *values, int just)
-{
-    double error = 0.0;
-    (void)lag_piece_error(values, &error);
-    for (int k = 1; k < LAG_PIECE_SAMPLES; ++k) {
-        if (!(values[k] > 0.0)) {
-            return zero_between(one, t[k - 1], values[k - 1], t[k], values[k]);
-        }
-        if (k > 1 && lag_minimum_search(look_at, one, t + k - 2, values + k - 2, error, just && k == 2)) {
-            const int before = one->t <= t[k - 1] ? k - 2 : k - 1;
-            return zero_between(one, t[before], values[before], one->t, one->value);
-        }
+    const double tolerance = DBL_EPSILON * fabs(b.t);
+    if (b.value > 0.0 && a.rate < 0.0 && b.rate > 0.0) {
+        b = look_at(one, lag_root(rate_of, one, a.t, a.rate, b.t, b.rate, tolerance));
     }
-    return (double)INFINITY;
+    return b.value > 0.0 ? (double)INFINITY : lag_root(value_of, one, a.t, fmax(a.value, DBL_MIN), b.t, b.value, tolerance);
 }
 
-/* Doubt about the shape of a piece by its samples, as a part of the largest of them. Waves between samples show in rates that do not lead from one to the next. */
-static double doubt_of(const double *t, const double *values, const double *rates)
+/* 1: values and rates at three places are those of one polynomial of degree three, to a part of the largest: there are no waves between them. */
+static int is_known(place a, place m, place b)
 {
-    double most = 0.0;
-    double off = 0.0;
-    for (int k = 1; k < LAG_PIECE_SAMPLES; ++k) {
-        most = fmax(most, fmax(fabs(values[k - 1]), fabs(values[k])));
-        off = fmax(off, fabs(values[k] - values[k - 1] - 0.5 * (t[k] - t[k - 1]) * (rates[k - 1] + rates[k])));
-    }
-    return most > 0.0 ? fmax(off / most, lag_piece_doubt(values)) : 0.0;
+    const double w = b.t - a.t;
+    const double s = (m.t - a.t) / w;
+    const double rise = b.value - a.value;
+    const double value = a.value + s * s * (3.0 - 2.0 * s) * rise + w * s * (1.0 - s) * ((1.0 - s) * a.rate - s * b.rate);
+    const double rate = 6.0 * s * (1.0 - s) * rise + w * ((1.0 - s) * (1.0 - 3.0 * s) * a.rate - s * (2.0 - 3.0 * s) * b.rate);
+    const double most = fmax(fabs(a.value), fmax(fabs(m.value), fabs(b.value)));
+    return !(fmax(fabs(m.value - value), fabs(w * m.rate - rate)) > LAG_KNOWN_PART * most);
 }
 
-/* The first zero of a distance between times `from` and `to`, in pieces that samples tell the shape of, at most as long as `part`. */
-static double first_zero(distance *one, double from, double to, double part)
+/* The first zero between two places, which are halved, about, until their shape is known. */
+static double first_zero(distance *one, place a, place b, int halves)
 {
-    const double shortest = ldexp(part, -HALVES);
-    double a = from;
-    double reach = part;
-    if (!(value_of(one, from) > 0.0) && one->rate <= 0.0) {
-        return from;
+    const place m = look_at(one, a.t + MIDDLE * (b.t - a.t));
+    const int known = halves == 0 || is_known(a, m, b);
+    const double zero = known ? zero_between(one, a, m) : first_zero(one, a, m, halves - 1);
+    if (zero < (double)INFINITY || one->status != LAG_OK) {
+        return zero;
     }
-    while (a < to && one->status == LAG_OK) {
-        double t[LAG_PIECE_SAMPLES];
-        double values[LAG_PIECE_SAMPLES];
-        double rates[LAG_PIECE_SAMPLES];
-        const double w = fmin(reach, to - a);
-        for (int k = 0; k < LAG_PIECE_SAMPLES; ++k) {
-            t[k] = k < LAG_LAST_SAMPLE ? a + w * LAG_SAMPLE_PLACES[k] : w < reach ? to : a + w;
-            values[k] = value_of(one, t[k]);
-            rates[k] = one->rate;
-        }
-        const double doubt = doubt_of(t, values, rates);
-        const int known = !(doubt > LAG_KNOWN_PART) || w <= shortest;
-        const double zero = known ? zero_in(one, t, values, a == from) : (double)INFINITY;
-        if (zero < (double)INFINITY) {
-            return zero;
-        }
-        a = known ? t[LAG_LAST_SAMPLE] : a;
-        reach = known ? fmin(part, lag_piece_length(w, doubt)) : fmax(shortest, 0.5 * w);
+    return known ? zero_between(one, m, b) : first_zero(one, m, b, halves - 1);
+}
+
+/* The first zero of a distance between times `from` and `to`, in parts at most this long. */
+static double zero_in_parts(distance *one, double from, double to, double part)
+{
+    place a = look_at(one, from);
+    double zero = !(a.value > 0.0) && a.rate <= 0.0 ? from : (double)INFINITY;
+    while (a.t < to && zero == (double)INFINITY && one->status == LAG_OK) {
+        const place b = look_at(one, fmin(a.t + part, to));
+        zero = first_zero(one, a, b, HALVES);
+        a = b;
     }
-    return (double)INFINITY;
+    return zero;
 }
 
 /* The zero of an affine distance after time t. */
 static double affine_zero(distance *one, double t)
 {
-    const double value = value_of(one, t);
-    const double rate = one->rate;
-    const double guess = t - value / rate;
-    if (!(rate < 0.0) || guess == (double)INFINITY) {
+    const place now = look_at(one, t);
+    const double guess = t - now.value / now.rate;
+    if (!(now.rate < 0.0) || guess == (double)INFINITY) {
         return (double)INFINITY;
     }
-    return guess > t ? fmax(t, guess - value_of(one, guess) / rate) : t;
+    return guess > t ? fmax(t, guess - value_of(one, guess) / now.rate) : t;
 }
 
 double lag_timed_next(const lag_timed *timed)
@@ -187,16 +173,16 @@ lag_status lag_timed_find_next(lag_timed *timed, double t)
     }
     lag_status status = evaluate(timed, t);
     for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
-        distance one = {timed, i, LAG_OK, t, 0.0, 0.0};
+        distance one = {timed, i, LAG_OK};
         timed->zero[i] = timed->affine[i] != 0.0 && isfinite(timed->rate[i]) ? affine_zero(&one, t) : (double)NAN;
         timed->next = fmin(timed->next, timed->zero[i]);
         status = one.status;
     }
     for (size_t i = 0; i < model->ndistance && status == LAG_OK; ++i) {
-        distance one = {timed, i, LAG_OK, t, 0.0, 0.0};
+        distance one = {timed, i, LAG_OK};
         const double end = fmin(timed->next, t + length);
         if (isnan(timed->zero[i])) {
-            timed->zero[i] = end > later ? first_zero(&one, later, end, length / PARTS) : (double)INFINITY;
+            timed->zero[i] = end > later ? zero_in_parts(&one, later, end, length / PARTS) : (double)INFINITY;
             timed->next = fmin(end, timed->zero[i]);
             status = one.status;
         }

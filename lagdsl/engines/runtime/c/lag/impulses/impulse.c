@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/impulses/friction_problem.h"
+#include "lag/optimization/friction_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/linalg.h"

@@ -4,12 +4,10 @@
  *     p(t, q, v+, w+) - p(t, q, v-, w-) = sum of rows' impulses,   J v+ + b = 0
  *
  * with p = dL/dqd. Over an instant all finite forces drop out of Lagrange's equations: momenta change by impulses of rows only. Rows are those
- * of the constraints, bilateral; rates that are held; and gaps and slips, with the law of lag/impulses/friction_problem.h. Where T is not quadratic in the
+ * of the constraints, bilateral; rates that are held; and gaps and slips, with the law of lag/optimization/friction_problem.h. Where T is not quadratic in the
  * rates Newton's method solves such problems with the M of the rates so far. Accelerations satisfy a problem of the same form, with forces for impulses.
  *
- * Restitution is Newton's law where no friction acts: gaps part with e times their approach. With friction that may gain energy, and Poisson's law holds, which
- * never does: compression ends where no gap closes any more, with impulses P; then impulses of at least e P act. Without friction both are the
- * same where T is quadratic and one e holds for all. If different e meet in one blow and energy would grow, the least of them holds for all.
+ * Restitution by Newton's law or by Poisson's: docs/explanation/hybrid_model.md, part 2 of a pass.
  *
  * Source: L. A. Pars, A Treatise on Analytical Dynamics (1965), chapter XIV; H. Goldstein, Classical Mechanics (2nd ed., 1980), exercises
  * of chapter 2 on impulsive forces; Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 8 (Poisson's law in two phases).
@@ -20,6 +18,9 @@
 #include "lag/dynamics.h"
 #include "lag/equations/motion.h"
 #include "lag/impulses/inequalities.h"
+
+/* So many round-offs of what enters are round-off. */
+static const double LAG_FEW = 16.0;
 
 typedef struct lag_impulse {
     lag_motion *motion;
@@ -81,7 +82,7 @@ size_t lag_impulse_step_memory(const lag_model *model);
 /*
  * impulse->change of the rates in the first order, from momenta, M and rows as they were evaluated; `held` rates stay if the others can do it, and
  * `rows` act (null: none), whose speeds are those at impulse->rates; the rates so far are qd (nq).
- * LAG_NO_FORCES: as lag_friction_problem_solve().
+ * LAG_NO_FORCES: no impulses satisfy the law.
  */
 lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_inequalities *rows, const double *qd);
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "lag/equations/blocks.h"
-#include "lag/impulses/friction_problem.h"
+#include "lag/optimization/friction_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/vector.h"
@@ -129,7 +129,7 @@ static lag_status change_by_inequalities(lag_blocks *b, const members *m, const 
         }
         rows->compliance[i] = problem.compliance[k * (m->size + 1)];
     }
-    const lag_status status = lag_friction_problem_solve(&problem, force, memory);
+    const int found = lag_friction_problem_solve(&problem, force, memory);
     for (size_t k = 0; k < m->size; ++k) {
         const size_t i = (size_t)m->number[k];
         rows->force[i] = force[k];
@@ -140,7 +140,7 @@ static lag_status change_by_inequalities(lag_blocks *b, const members *m, const 
             rows->scale[i] += fabs(term);
         }
     }
-    return status;
+    return found ? LAG_OK : LAG_NO_FORCES;
 }
 
 lag_status lag_impulse_step_find(lag_impulse *impulse, const double *held, lag_inequalities *rows, const double *qd)

@@ -1,5 +1,5 @@
 /*
- * Rows that push one way, and friction under them: gaps and slips, at one instant, at the level of rates or of accelerations. lag/impulses/friction_problem.h
+ * Rows that push one way, and friction under them: gaps and slips, at one instant, at the level of rates or of accelerations. lag/optimization/friction_problem.h
  * has their law; here are the rows, and the momenta or forces that their impulses or forces are.
  */
 #ifndef LAG_INEQUALITIES_H

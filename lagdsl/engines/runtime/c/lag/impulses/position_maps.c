@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/impulses/friction_problem.h"
+#include "lag/impulses/impulse.h"
 #include "lag/linalg/arena.h"
+#include "lag/optimization/friction_problem.h"
 #include "lag/linalg/vector.h"
 
 /* A map is continuous at an instant if it is the same there to LAG_SOLVED, or to LAG_FEW round-offs of coordinates or changes of a moment. */
@@ -17,23 +18,17 @@ void lag_position_maps_place(lag_position_maps *maps, lag_motion *motion, lag_la
     maps->point = lag_lay(layout, lag_motion_size(motion->model));
 }
 
-/* Ways of masses at x with discretes w. */
-static lag_status evaluate_maps(lag_motion *motion, double t, const double *x, const double *w, double *way)
+/* Ways of masses with discretes w where the motion from x has come after a moment. */
+static lag_status evaluate_maps(lag_position_maps *maps, double t, const double *x, const double *w, double moment, double *way)
 {
-    lag_motion_set_state(motion, t, x);
+    lag_motion *motion = maps->motion;
+    memcpy(maps->point, x, lag_motion_size(motion->model) * sizeof(double));
+    lag_axpy(motion->model->nq, moment, x + motion->model->nq, maps->point);
+    lag_motion_set_state(motion, t + moment, maps->point);
     motion->at.w = w;
     const lag_status status = motion->model->way(&motion->at, way);
     motion->at.w = motion->w;
     return status;
-}
-
-/* The same where the motion from x has come after a moment. */
-static lag_status evaluate_maps_later(lag_position_maps *maps, double t, const double *x, const double *w, double moment, double *way)
-{
-    const size_t n = maps->motion->model->nq;
-    memcpy(maps->point, x, lag_motion_size(maps->motion->model) * sizeof(double));
-    lag_axpy(n, moment, x + n, maps->point);
-    return evaluate_maps(maps->motion, t + moment, maps->point, w, way);
 }
 
 lag_status lag_position_maps_continue(
@@ -49,10 +44,10 @@ lag_status lag_position_maps_continue(
     for (size_t j = 0; j < model->nq; ++j) {
         size = fmax(size, fmax(peak[j], fabs(x[j])));
     }
-    lag_status status = evaluate_maps(motion, t, stood, before, was);
-    status = status == LAG_OK ? evaluate_maps(motion, t, x, motion->w, now) : status;
-    status = status == LAG_OK ? evaluate_maps_later(maps, t, stood, before, moment, later) : status;
-    status = status == LAG_OK ? evaluate_maps_later(maps, t, x, motion->w, moment, behind) : status;
+    lag_status status = evaluate_maps(maps, t, stood, before, 0.0, was);
+    status = status == LAG_OK ? evaluate_maps(maps, t, x, motion->w, 0.0, now) : status;
+    status = status == LAG_OK ? evaluate_maps(maps, t, stood, before, moment, later) : status;
+    status = status == LAG_OK ? evaluate_maps(maps, t, x, motion->w, moment, behind) : status;
     for (size_t i = 0; i < model->nway && status == LAG_OK; ++i) {
         const double own = LAG_SOLVED * (fabs(was[i]) + fabs(now[i]));
         const double noise = LAG_FEW * (DBL_EPSILON * size + fabs(later[i] - was[i]) + fabs(behind[i] - now[i]));

@@ -11,7 +11,7 @@
 #ifndef LAG_NEAREST_CONFIGURATION_H
 #define LAG_NEAREST_CONFIGURATION_H
 
-#include "lag/linalg/levenberg_marquardt.h"
+#include "lag/optimization/levenberg_marquardt.h"
 
 /* Points that guesses lead to: of the origin, of the penalties, of further ones, and beyond bends on either side of each. */
 enum { LAG_NEAREST_GUESSES = 40, LAG_NEAREST_FOUND = 2 * LAG_NEAREST_GUESSES, LAG_NEAREST_REFINED = 6 };

@@ -86,6 +86,21 @@ static void predict(const lag_stepper *s, const lag_radau_places *at, double h)
     }
 }
 
+double lag_radau_error(const lag_stepper *s, const lag_radau_places *at, double h)
+{
+    const size_t n = s->ode->size;
+    for (size_t i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (size_t k = 0; k < at->table->stages; ++k) {
+            sum += at->table->error[k] * at->z[k * n + i];
+        }
+        at->right[i] = sum / h;
+        at->error[i] = s->f[i] + at->right[i];
+    }
+    lag_radau_solve_real(s->ode, at, at->error);
+    return lag_stepper_norm(s, at->error);
+}
+
 /* The estimate (8.19); filtered once more, (8.20), after a rejected step. */
 static double error_of(lag_stepper *s, const lag_radau_places *at, double h, int again)
 {

@@ -263,21 +263,6 @@ void lag_radau_add(const lag_ode *ode, size_t stages, const double *sides, doubl
     }
 }
 
-double lag_radau_error(const lag_stepper *s, const lag_radau_places *at, double h)
-{
-    const size_t n = s->ode->size;
-    for (size_t i = 0; i < n; ++i) {
-        double sum = 0.0;
-        for (size_t k = 0; k < at->table->stages; ++k) {
-            sum += at->table->error[k] * at->z[k * n + i];
-        }
-        at->right[i] = sum / h;
-        at->error[i] = s->f[i] + at->right[i];
-    }
-    lag_radau_solve_real(s->ode, at, at->error);
-    return lag_stepper_norm(s, at->error);
-}
-
 /*
  * Error of the first iterate as a part of its correction, by the rate of contraction that was seen last. The rate is at most the length of the step
  * times the error of the Jacobian in use. Along the step this error grows with the length where that Jacobian is constant, with its square where it

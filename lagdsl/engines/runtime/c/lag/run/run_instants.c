@@ -177,13 +177,6 @@ static lag_status tick(lag_run *run)
     return status == LAG_OK ? end_with_relations(run, lag_instants_carry_out(&run->instants, s->t, s->x, run->guards.changed, 0, 1)) : status;
 }
 
-/* Relations, conditions and values that `pre` reads that are other with the inputs of now; closed contacts that pull. */
-static lag_status find_changed(lag_run *run, int *any)
-{
-    const lag_status status = find_turned(run, any);
-    return status == LAG_OK && !*any ? lag_instants_conditions(&run->instants, run->stepper.t, run->stepper.x, any) : status;
-}
-
 /*
  * Inputs that jump now and prescribe a speed: rates follow the momenta with the inputs before, contacts open or strike; 1 in *blown then. It
  * is tried first, as the row before is told with the rates before.
@@ -215,12 +208,13 @@ static lag_status apply_input_jump(lag_run *run, int *blown)
     return status == LAG_OK ? end(run, lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 1)) : status;
 }
 
-/* Relations that the inputs of now have turned, and with them what time changes at the same instant, which may turn them back. */
+/* Relations, conditions and values that `pre` reads that the inputs of now have turned, closed contacts that pull, and with them what time changes at the same instant, which may turn them back. */
 static lag_status follow_inputs(lag_run *run, int blown, int *any)
 {
     const lag_model *model = run->motion.model;
     lag_stepper *s = &run->stepper;
-    lag_status status = find_changed(run, any);
+    lag_status status = find_turned(run, any);
+    status = status == LAG_OK && !*any ? lag_instants_conditions(&run->instants, s->t, s->x, any) : status;
     if (!*any || status != LAG_OK) {
         return status;
     }

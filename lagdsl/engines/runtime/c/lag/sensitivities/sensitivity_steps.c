@@ -2,6 +2,7 @@
  * Columns along one step, stage by stage with the method of the state: DOP853, and Radau by its collocation equations, which are linear in them; those of
  * fixed steps are in sensitivity_fixed.c.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -10,9 +11,6 @@
 #include "lag/methods/step_control.h"
 #include "lag/run.h"
 #include "lag/sensitivities/sensitivities.h"
-
-/* An error that is such a part of the column is no rounding, though a shorter step has as much: implicit steps that are far too long all have it. */
-static const double LARGE = 0.1;
 
 static size_t size_of(const lag_run *run)
 {
@@ -333,7 +331,8 @@ lag_status lag_sensitivities_step(lag_run *run)
     }
     s->columns.t = stepper->t;
     const double factor = error > 0.0 ? part_of(stepper, error) : 1.0 / LAG_DOP853_SHRINK;
-    const int large = error * run->accuracy.relative > LARGE;
+    /* implicit steps that are far too long have errors as large as the column, whatever their length */
+    const int large = stepper->method->implicit && error * run->accuracy.relative > sqrt(DBL_EPSILON);
     const int rounding = again && !large && error > 0.5 * s->columns.rejected; /* a shorter step did not help */
     if (error > 1.0 && !rounding && h * LAG_DOP853_SHRINK > stepper->h_least) {
         s->columns.rejected = error;

@@ -1,4 +1,4 @@
-#include "lag/linalg/lemke.h"
+#include "lag/optimization/lemke.h"
 
 #include <math.h>
 

@@ -1,12 +1,12 @@
-#include "lag/impulses/friction_problem.h"
+#include "lag/optimization/friction_problem.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/linalg/lemke.h"
-#include "lag/linalg/nnls.h"
+#include "lag/optimization/lemke.h"
+#include "lag/optimization/nnls.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
 
@@ -314,11 +314,11 @@ static int is_symmetric(const lag_friction_problem *problem, size_t size)
     return symmetric;
 }
 
-lag_status lag_friction_problem_solve(lag_friction_problem *problem, double *lam, double *memory)
+int lag_friction_problem_solve(lag_friction_problem *problem, double *lam, double *memory)
 {
     if (problem->frictions == 0 && is_symmetric(problem, problem->normals)) {
         lag_nnls(problem->normals, problem->compliance, problem->rates, lam, memory);
-        return LAG_OK;
+        return 1;
     }
     scaled s = begin(problem, memory);
     int scalar = 1;
@@ -329,5 +329,5 @@ lag_status lag_friction_problem_solve(lag_friction_problem *problem, double *lam
     for (size_t i = 0; i < s.size; ++i) {
         lam[i] = left <= LAG_SOLVED ? s.lam[i] * s.scale[i] : 0.0;
     }
-    return left <= LAG_SOLVED ? LAG_OK : LAG_NO_FORCES;
+    return left <= LAG_SOLVED;
 }

@@ -1,4 +1,4 @@
-#include "lag/linalg/nnls.h"
+#include "lag/optimization/nnls.h"
 
 #include <float.h>
 #include <math.h>

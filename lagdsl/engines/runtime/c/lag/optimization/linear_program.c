@@ -1,9 +1,9 @@
-#include "lag/linalg/linear_program.h"
+#include "lag/optimization/linear_program.h"
 
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/linalg/lemke.h"
+#include "lag/optimization/lemke.h"
 
 size_t lag_linear_program_memory(size_t n, size_t m)
 {

@@ -18,14 +18,10 @@
 
 #include <stddef.h>
 
-#include "lag/status.h"
-
 /* Laws of forces, of impulses and of energies hold to this part of their largest terms. */
 static const double LAG_SOLVED = 1e-9;
 /* Rows and their Delassus matrix are known to this part of their terms: what is below is none. */
 static const double LAG_KNOWN_ROWS = 1e-12;
-/* So many round-offs of what enters are round-off. */
-static const double LAG_FEW = 16.0;
 
 typedef struct lag_friction_problem {
     size_t normals, frictions;
@@ -39,7 +35,7 @@ typedef struct lag_friction_problem {
 /* Doubles for a problem, and for all that are not larger in any of these. */
 size_t lag_friction_problem_memory(size_t normals, size_t frictions, size_t size);
 
-/* Forces or impulses lam (size). LAG_NO_FORCES: there are none, or they were not found; lam is zero. */
-lag_status lag_friction_problem_solve(lag_friction_problem *problem, double *lam, double *memory);
+/* Forces or impulses lam (size). Returns 1, or 0 where there are none, or they were not found: lam is zero then. */
+int lag_friction_problem_solve(lag_friction_problem *problem, double *lam, double *memory);
 
 #endif

@@ -1,4 +1,4 @@
-#include "lag/linalg/levenberg_marquardt.h"
+#include "lag/optimization/levenberg_marquardt.h"
 
 #include <math.h>
 #include <string.h>
