@@ -1,7 +1,7 @@
 /*
  * Modes of contacts and friction just behind an instant, by the problem of accelerations: a gap that is zero with its rate stays closed with a force that
  * pushes, or opens with its acceleration; a slip that is zero stays so with a force within what friction bears at rest, or begins against its force. At the level
- * of accelerations these are the same inequalities as those of rates in a blow (lag/optimization/friction_problem.h). What left its mode, and limits at rest
+ * of accelerations these are the same inequalities as those of rates in a blow (lag/optimization/friction_problem.h). Guards that left their mode, and limits at rest
  * above those of sliding: docs/explanation/hybrid_model.md, part 3 of a pass.
  *
  * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 6.
