@@ -144,6 +144,7 @@ static lag_status dense(void *context, double t, const double *x, double *jacobi
 /* The pattern of the equations, its rows in the order of the masses. */
 typedef struct known {
     size_t row[MOST_ENTRIES], column[MOST_ENTRIES], first[ROWS + 1], place[ROWS];
+    size_t group[SIZE], value_group[N + TIES]; /* a group for each column */
     lag_pattern pattern;
     lag_patterns patterns;
 } known;
@@ -188,7 +189,13 @@ static void find_pattern(known *one)
         }
     }
     one->pattern = (lag_pattern){ROWS, COLUMNS, count, one->row, one->column, one->first};
-    one->patterns = (lag_patterns){.equations = &one->pattern, .place = one->place};
+    for (size_t j = 0; j < SIZE; ++j) {
+        one->group[j] = j;
+    }
+    for (size_t j = 0; j < N + TIES; ++j) {
+        one->value_group[j] = j;
+    }
+    one->patterns = (lag_patterns){.equations = &one->pattern, .place = one->place, .group = one->group, .value_group = one->value_group};
 }
 
 /* The state at the end, of a motion from a bend. */
