@@ -35,11 +35,11 @@ def release(equations: Equations, independent: Independent, start: Floats) -> Mi
     point, done, part = start, 0.0, 1.0
     while np.isfinite(begun.size) and part >= _LEAST_PART:
         aim = min(done + part, 1.0)
-        found = _solved(equations, independent, point, (1.0 - aim) * first, aim == 1.0)
+        found = _solved(equations, independent, point, (1.0 - aim) * first)
         if found is None:
             part /= 2.0
         elif aim == 1.0:
-            return found
+            return settle(equations, independent, found)[0]
         else:
             point, done, part = found.point, aim, 2.0 * part
     return begun
@@ -76,21 +76,15 @@ def _reached(point: Floats, residual: Floats) -> Minimizer:
     return Minimizer(point=point, residual=residual, size=size if np.isfinite(size) else np.inf)
 
 
-def _solved(
-    equations: Equations, independent: Independent, start: Floats, rest: Floats, to_the_end: bool
-) -> Minimizer | None:
-    """The solution of r(x) = `rest` by whole steps, `to_the_end` until they no longer halve; None if not reached."""
-    point, best, last = start, None, np.inf
+def _solved(equations: Equations, independent: Independent, start: Floats, rest: Floats) -> Minimizer | None:
+    """Near the solution of r(x) = `rest`, by whole steps; None if not reached."""
+    point = start
     for _ in range(_STEPS):
         residual, jacobian = equations(point)
         step, length = _step(residual - rest, jacobian, independent(point))
         if not np.isfinite(length):
             return None
-        if best is not None and not length < 0.5 * last:
-            return best
         if length <= _NEAR:
-            best, last = _reached(point, residual - rest), length
-            if not to_the_end:
-                return best
+            return _reached(point, residual - rest)
         point = point - step
-    return best
+    return None
