@@ -202,7 +202,7 @@ static double implicit_part(const lag_run *run, const lag_radau_places *of_state
         behind += last * last;
     }
     const double length = fmax(run->accuracy.relative * sqrt(fmax(before, behind) / (double)at->size), extent);
-    return stepper->method->factor * lag_stepper_norm(stepper, error) / (length > 0.0 ? length : 1.0);
+    return isfinite(length) ? stepper->method->factor * lag_stepper_norm(stepper, error) / (length > 0.0 ? length : 1.0) : (double)INFINITY;
 }
 
 /*
@@ -303,8 +303,8 @@ static int return_to_beginning(lag_sensitivities *s, const lag_run *run)
 /* Length of the next step as a part of this one, by this error. */
 static double part_of(const lag_stepper *stepper, double error)
 {
-    const double exponent = stepper->method->implicit ? -1.0 / (lag_radau_remembered(stepper)->polynomial + 1.0) : 0.0;
-    return stepper->method->implicit ? LAG_DOP853_SAFETY * pow(error, exponent) : lag_control_part(error);
+    const int implicit = stepper->method->implicit;
+    return implicit ? LAG_DOP853_SAFETY * pow(error, -1.0 / (lag_radau_remembered(stepper)->polynomial + 1.0)) : lag_control_part(error);
 }
 
 lag_status lag_sensitivities_step(lag_run *run)
