@@ -54,6 +54,29 @@ static void a_load_of_two_components_has_its_length(void)
     CHECK_NEAR(margins.y[0], -3.0, 1e-3);
 }
 
+/*
+ * The ball in a groove of test_reserve.c: n = 5/2 - sqrt(3) y of the flanks, t = 5 sin 60 + y of friction within 2/5 n. With 4 N left on each side the flanks
+ * press with 10 N, and friction bears nothing.
+ */
+static void forces_of_a_ball_in_a_groove(void)
+{
+    lag_margins margins = begin(1, 4);
+    for (size_t i = 0; i < 4; ++i) {
+        const int presses = i < 2;
+        double *limit = lag_margins_add(&margins, presses ? 0 : 1, 10.0);
+        limit[0] = presses ? 2.5 : 1.0;
+        limit[1] = -sqrt(3.0) * (presses ? 1.0 : 0.4);
+        limit[2] = presses ? 0.0 : 2.5 * sqrt(3.0);
+        limit[3] = presses ? 0.0 : 1.0;
+    }
+    CHECK_NEAR(10.0 * lag_margins_solve(&margins), 4.0, 1e-10);
+    for (size_t i = 0; i < 4; ++i) {
+        CHECK_NEAR(lag_margin_of(&margins, i), i < 2 ? 10.0 : 4.0, 1e-10);
+    }
+    CHECK_NEAR(2.5 - sqrt(3.0) * margins.y[0], 10.0, 1e-10);
+    CHECK_NEAR(2.5 * sqrt(3.0) + margins.y[0], 0.0, 1e-10);
+}
+
 /* One that is exceeded has a negative margin; one that nothing exceeds is told as its size. */
 static void margins_are_negative_or_at_most_one(void)
 {
@@ -71,6 +94,7 @@ int main(void)
     two_sides_share_a_load();
     limits_follow_unknowns_of_either_sign();
     a_load_of_two_components_has_its_length();
+    forces_of_a_ball_in_a_groove();
     margins_are_negative_or_at_most_one();
     (void)printf("margins: ok\n");
     return EXIT_SUCCESS;

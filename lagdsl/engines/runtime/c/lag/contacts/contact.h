@@ -62,10 +62,7 @@ double lag_contacts_force_noise(const lag_contacts *contacts, size_t i);
 /* The start: flags (ncontact) in `closing` of contacts that touch and do not move apart. LAG_PENETRATION: gaps of those flagged in `pierced` are negative. */
 lag_status lag_contacts_begin(lag_contacts *contacts, double t, const double *x, double *closing, double *pierced);
 
-/*
- * Opens closed contacts that do not touch or do not stay. A gap that may have a `corner` here, as a valley has, opens, too, where it is driven in: it meets
- * the other side by the law of impact.
- */
+/* Opens closed contacts that do not touch or do not stay; at a `corner` of gaps, as in a valley, those driven in, too: they strike the other side. */
 lag_status lag_contacts_open(lag_contacts *contacts, double t, const double *x, int corner);
 
 /* 1: gaps of closed contacts have no rate beyond round-off. */

@@ -1,8 +1,8 @@
 /*
  * Modes of contacts and friction just behind an instant, by the problem of accelerations: a gap that is zero with its rate stays closed with a force that
  * pushes, or opens with its acceleration; a slip that is zero stays so with a force within what friction bears at rest, or begins against its force. At the level
- * of accelerations these are the same inequalities as those of rates in a blow (lag/optimization/friction_problem.h). Guards that left their mode, and limits at rest
- * above those of sliding: docs/explanation/hybrid_model.md, part 3 of a pass.
+ * of accelerations these are the same inequalities as those of rates in a blow (lag/optimization/friction_problem.h). Guards that left their mode, and
+ * limits at rest above those of sliding: docs/explanation/hybrid_model.md, part 3 of a pass.
  *
  * Source: Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapter 6.
  */

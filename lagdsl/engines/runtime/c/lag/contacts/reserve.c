@@ -5,14 +5,15 @@
 
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
-#include "lag/optimization/margins.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
+#include "lag/optimization/margins.h"
 
 /* Unit rows are dependent where a singular value is below this part of the largest, and share forces by more than this. */
 static const double RANK = 1e-9;
 /* A side has nothing left below this part of the forces of its group. */
 static const double NOTHING = 1e-9;
+
 static size_t work_memory(const lag_model *model)
 {
     const size_t program = lag_margins_memory(model->nc, model->ncontact + model->nfriction, model->nfriction);

@@ -2,8 +2,8 @@
  * Time events: the discretes that depend on time, parameters and other discretes only change at instants that are computed ahead. The
  * integrator steps to them exactly, so that nothing is stepped over however short it is.
  *
- * An entry stays as it is while its distances are positive. Between events a distance is affine in time, where the model says so, and
- * its zero is exact; else it is smooth, and its first zero is searched where its values and rates tell its shape. Distances that depend on other entries (a limit of a table of time) are looked at anew after each event.
+ * An entry stays as it is while its distances are positive. Where the model says that a distance is affine in time, its zero is exact; else it is smooth,
+ * and its first zero is searched where values and rates tell its shape. Distances that depend on other entries are looked at anew after each event.
  */
 #ifndef LAG_TIMED_H
 #define LAG_TIMED_H

@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/optimization/friction_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
+#include "lag/optimization/friction_problem.h"
 
 /* Newton's method for rates: one step where T is quadratic in them. A step that overshoots is halved so often. */
 enum { MOST_STEPS = 60, MOST_HALVES = 300 };

@@ -8,10 +8,10 @@
 #include <string.h>
 
 #include "lag/equations/blocks.h"
-#include "lag/optimization/friction_problem.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
 #include "lag/linalg/vector.h"
+#include "lag/optimization/friction_problem.h"
 
 /* Inequalities of one block. */
 typedef struct members {

@@ -6,8 +6,8 @@
 
 #include "lag/impulses/impulse.h"
 #include "lag/linalg/arena.h"
-#include "lag/optimization/friction_problem.h"
 #include "lag/linalg/vector.h"
+#include "lag/optimization/friction_problem.h"
 
 /* A map is continuous at an instant if it is the same there to LAG_SOLVED, or to LAG_FEW round-offs of coordinates or changes of a moment. */
 

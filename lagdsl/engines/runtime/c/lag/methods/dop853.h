@@ -58,7 +58,7 @@ typedef int lag_attempt_rates(void *context, size_t i, const double *t, const do
 #define LAG_ATTEMPTS_WIDE 1
 #else
 #define LAG_ATTEMPTS_WIDE 0
-#undef LAG_ATTEMPT_WIDTH
+#undef LAG_ATTEMPT_WIDTH /* these files have that of the library */
 #endif
 
 #if defined(__GNUC__)

@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/optimization/lemke.h"
-#include "lag/optimization/nnls.h"
 #include "lag/linalg/svd.h"
 #include "lag/linalg/vector.h"
+#include "lag/optimization/lemke.h"
+#include "lag/optimization/nnls.h"
 
 /* Sweeps of Gauss-Seidel's method, and those between two trials of Newton's, which takes so many steps to a solution. */
 enum { MOST_SWEEPS = 4000, SWEEPS = 10, MOST_STEPS = 20 };

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "lag/linalg/arena.h"
-#include "lag/optimization/linear_program.h"
 #include "lag/linalg/vector.h"
+#include "lag/optimization/linear_program.h"
 
 /* A load outside of a disc by less than this part of its size is in it. */
 static const double OUTSIDE = 1e-13;

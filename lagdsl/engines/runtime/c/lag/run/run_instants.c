@@ -208,7 +208,7 @@ static lag_status apply_input_jump(lag_run *run, int *blown)
     return status == LAG_OK ? end(run, lag_instants_prescribe(&run->instants, s->t, s->x, run->u_before, 1)) : status;
 }
 
-/* Relations, conditions and values that `pre` reads that the inputs of now have turned, closed contacts that pull, and with them what time changes at the same instant, which may turn them back. */
+/* All that changes by the inputs of now, and with it what time changes at the same instant, which may turn it back. */
 static lag_status follow_inputs(lag_run *run, int blown, int *any)
 {
     const lag_model *model = run->motion.model;
