@@ -44,8 +44,16 @@
 #include <string.h>
 
 #define least band_least
+#define multiply band_multiply
+#define scale band_scale
+#define size_of band_size_of
+#define solve band_solve
 #include "lag/elimination/band.c"
 #undef least
+#undef multiply
+#undef scale
+#undef size_of
+#undef solve
 
 #define swap_rows lu_swap_rows
 #include "lag/elimination/lu.c"
@@ -138,16 +146,20 @@
 #undef take
 
 #define DIFFERENCE motion_DIFFERENCE
+#define KINDS motion_KINDS
 #include "lag/equations/motion.c"
 #undef DIFFERENCE
+#undef KINDS
 
 #define find_components projection_find_components
 #include "lag/equations/projection.c"
 #undef find_components
 
+#define entry_of rank_entry_of
 #define multiply rank_multiply
 #define scale rank_scale
 #include "lag/equations/rank.c"
+#undef entry_of
 #undef multiply
 #undef scale
 
@@ -220,9 +232,11 @@
 #undef STEADY
 #undef accept
 
+#define AT_ONCE radau_effort_AT_ONCE
 #define ITERATIONS radau_effort_ITERATIONS
 #define SWEEPS radau_effort_SWEEPS
 #include "lag/methods/radau_effort.c"
+#undef AT_ONCE
 #undef ITERATIONS
 #undef SWEEPS
 
@@ -242,13 +256,23 @@
 #undef iterate
 #undef prepare
 
+#define AT_ONCE radau_systems_AT_ONCE
+#define KINDS radau_systems_KINDS
 #define eliminate radau_systems_eliminate
+#define entry_of radau_systems_entry_of
+#define least radau_systems_least
 #define multiply radau_systems_multiply
 #define place_of radau_systems_place_of
+#define solve radau_systems_solve
 #include "lag/methods/radau_systems.c"
+#undef AT_ONCE
+#undef KINDS
 #undef eliminate
+#undef entry_of
+#undef least
 #undef multiply
 #undef place_of
+#undef solve
 
 #include "lag/methods/radau_tables.c"
 
@@ -284,12 +308,14 @@
 #define SWEEPS friction_problem_SWEEPS
 #define begin friction_problem_begin
 #define iterate friction_problem_iterate
+#define size_of friction_problem_size_of
 #include "lag/optimization/friction_problem.c"
 #undef MOST_STEPS
 #undef MOST_SWEEPS
 #undef SWEEPS
 #undef begin
 #undef iterate
+#undef size_of
 
 #define MOST lemke_MOST
 #define least lemke_least

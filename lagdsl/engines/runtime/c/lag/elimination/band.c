@@ -1,4 +1,9 @@
-/* Source: Golub and Van Loan, Matrix Computations, 4th ed., section 4.3.3 (band Gaussian elimination with partial pivoting). */
+/*
+ * Numbers are real, of one part, or complex, of two.
+ *
+ * Source: Golub and Van Loan, Matrix Computations, 4th ed., section 4.3.3 (band Gaussian elimination with partial pivoting); only exchanges
+ * fill columns beyond the band (LAPACK's dgbtf2).
+ */
 #include "lag/elimination/band.h"
 
 #include <math.h>
@@ -16,136 +21,162 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Behind the last row that elimination of column k reaches. */
-static size_t rows_end(const lag_band *band, size_t k)
+static inline double size_of(size_t parts, const double *z)
 {
-    return least(k + band->lower + 1, band->n);
+    return parts == 1 ? fabs(z[0]) : lag_complex_size(z);
 }
 
-/* Behind the last column of U that is filled, once the row `best` was chosen: only exchanges fill what is beyond the band (LAPACK's dgbtf2). */
-static size_t columns_end(const lag_band *band, size_t end, size_t best)
+static inline void exchange(size_t parts, double *a, double *b)
 {
-    const size_t own = lag_band_end(band, best);
-    return own > end ? own : end;
-}
-
-static void exchange(double *a, double *b, size_t first, size_t end)
-{
-    for (size_t j = first; j < end && a != b; ++j) {
-        const double kept = a[j];
-        a[j] = b[j];
-        b[j] = kept;
+    for (size_t part = 0; part < parts; ++part) {
+        const double kept = a[part];
+        a[part] = b[part];
+        b[part] = kept;
     }
 }
 
-int lag_band_lu(const lag_band *band, double *a, double *pivot)
-{
-    size_t end = 0;
-    for (size_t k = 0; k < band->n; ++k) {
-        double *row = lag_band_row(band, a, k);
-        double largest = fabs(row[k]);
-        size_t best = k;
-        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            const double size = fabs(lag_band_row(band, a, i)[k]);
-            best = size > largest ? i : best;
-            largest = size > largest ? size : largest;
-        }
-        end = columns_end(band, end, best);
-        exchange(row, lag_band_row(band, a, best), k, end);
-        pivot[k] = (double)best;
-        pivot[band->n + k] = (double)end;
-        row[k] = 1.0 / row[k];
-        if (!isfinite(row[k])) {
-            return 0;
-        }
-        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            double *other = lag_band_row(band, a, i);
-            const double part = other[k] * row[k];
-            other[k] = part;
-            for (size_t j = k + 1; j < end && part != 0.0; ++j) {
-                other[j] -= part * row[j];
-            }
-        }
-    }
-    return 1;
-}
-
-void lag_band_solve(const lag_band *band, double *a, const double *pivot, double *x)
-{
-    for (size_t k = 0; k < band->n; ++k) {
-        exchange(x + k, x + (size_t)pivot[k], 0, 1);
-        const double part = x[k];
-        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            x[i] -= lag_band_row(band, a, i)[k] * part;
-        }
-    }
-    for (size_t i = band->n; i-- > 0;) {
-        const double *row = lag_band_row(band, a, i);
-        double rest = x[i];
-        const size_t end = (size_t)pivot[band->n + i];
-        for (size_t j = i + 1; j < end; ++j) {
-            rest -= row[j] * x[j];
-        }
-        x[i] = rest * row[i];
-    }
-}
-
-/* Row i of numbers of two doubles each, so that entry (i, j) is at 2 j. */
-static double *row_of_pairs(const lag_band *band, double *a, size_t i)
-{
-    return a + 2 * (band->lower + i * (lag_band_width(band) - 1));
-}
-
-int lag_band_lu_complex(const lag_band *band, double *a, double *pivot)
+static inline void invert(size_t parts, double *z)
 {
     static const double one[2] = {1.0, 0.0};
+    if (parts == 1) {
+        z[0] = 1.0 / z[0];
+    } else {
+        lag_complex_divide(one, z, z);
+    }
+}
+
+/* z *= factor */
+static inline void multiply(size_t parts, double *z, const double *factor)
+{
+    double product[2] = {z[0] * factor[0], 0.0};
+    if (parts == 2) {
+        lag_complex_multiply(z, factor, product);
+    }
+    memcpy(z, product, parts * sizeof(double));
+}
+
+/* x -= column * factor, of so many rows. */
+static inline void subtract(size_t parts, size_t rows, const double *restrict column, const double *factor, double *restrict x)
+{
+    const double by[2] = {factor[0], factor[parts - 1]};
+    for (size_t i = 0; i < rows && parts == 1; ++i) {
+        x[i] -= column[i] * by[0];
+    }
+    for (size_t i = 0; i < rows && parts == 2; ++i) {
+        lag_complex_subtract_product(x + 2 * i, column + 2 * i, by);
+    }
+}
+
+/* The row of the largest number of column k among those that elimination reaches, before `end`. */
+static inline size_t largest_of(size_t parts, const double *column, size_t k, size_t end)
+{
+    size_t best = k;
+    double largest = size_of(parts, column + parts * k);
+    for (size_t i = k + 1; i < end; ++i) {
+        const double size = size_of(parts, column + parts * i);
+        best = size > largest ? i : best;
+        largest = size > largest ? size : largest;
+    }
+    return best;
+}
+
+/* Column k becomes one of L, with the inverse of its diagonal. Returns the place behind its last number that is not zero; 0: there is no inverse. */
+static inline size_t scale(size_t parts, double *column, size_t k, size_t end)
+{
+    double *diagonal = column + parts * k;
+    size_t last = k + 1;
+    invert(parts, diagonal);
+    for (size_t i = k + 1; i < end; ++i) {
+        multiply(parts, column + parts * i, diagonal);
+        last = size_of(parts, column + parts * i) != 0.0 ? i + 1 : last;
+    }
+    return isfinite(size_of(parts, diagonal)) ? last : 0;
+}
+
+/* What is left of column k becomes one of U, of which the numbers from `first` on count, and one of L. */
+static inline void keep(size_t parts, const double *column, size_t first, size_t k, size_t last, double **upper, double **lower)
+{
+    const size_t above = parts * (k + 1 - first);
+    const size_t below = parts * (last - k - 1);
+    memcpy(*upper, column + parts * first, above * sizeof(double));
+    memcpy(*lower, column + parts * (k + 1), below * sizeof(double));
+    *upper += above;
+    *lower += below;
+}
+
+static inline int lu(const lag_band *band, size_t parts, double *a, double *pivot, double *factors)
+{
+    double *below = pivot + band->n;
+    double *above = below + band->n;
+    double *upper = factors;
+    double *lower = factors + lag_band_upper(band, parts);
     size_t end = 0;
     for (size_t k = 0; k < band->n; ++k) {
-        double *row = row_of_pairs(band, a, k);
-        double largest = lag_complex_size(row + 2 * k);
-        size_t best = k;
-        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            const double size = lag_complex_size(row_of_pairs(band, a, i) + 2 * k);
-            best = size > largest ? i : best;
-            largest = size > largest ? size : largest;
-        }
-        end = columns_end(band, end, best);
-        exchange(row, row_of_pairs(band, a, best), 2 * k, 2 * end);
+        above[k] = (double)k;
+    }
+    for (size_t k = 0; k < band->n; ++k) {
+        double *column = lag_band_column(band, parts, a, k);
+        const size_t rows = least(k + band->lower + 1, band->n);
+        const size_t best = largest_of(parts, column, k, rows);
+        const size_t own = least(best + band->upper + 1, band->n);
+        end = own > end ? own : end;
         pivot[k] = (double)best;
-        pivot[band->n + k] = (double)end;
-        lag_complex_divide(one, row + 2 * k, row + 2 * k);
-        if (!isfinite(lag_complex_size(row + 2 * k))) {
+        exchange(parts, column + parts * k, column + parts * best);
+        const size_t last = scale(parts, column, k, rows);
+        if (last == 0) {
             return 0;
         }
-        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            double *other = row_of_pairs(band, a, i);
-            double part[2];
-            lag_complex_multiply(other + 2 * k, row + 2 * k, part);
-            memcpy(other + 2 * k, part, sizeof part);
-            for (size_t j = lag_complex_size(part) != 0.0 ? k + 1 : end; j < end; ++j) {
-                lag_complex_subtract_product(other + 2 * j, part, row + 2 * j);
+        below[k] = (double)last;
+        for (size_t j = k + 1; j < end; ++j) {
+            double *other = lag_band_column(band, parts, a, j);
+            exchange(parts, other + parts * k, other + parts * best);
+            if (size_of(parts, other + parts * k) != 0.0) {
+                above[j] = fmin(above[j], (double)k);
+                subtract(parts, last - k - 1, column + parts * (k + 1), other + parts * k, other + parts * (k + 1));
             }
         }
+        keep(parts, column, (size_t)above[k], k, last, &upper, &lower);
     }
+    pivot[3 * band->n] = (double)(upper - factors);
     return 1;
 }
 
-void lag_band_solve_complex(const lag_band *band, double *a, const double *pivot, double *x)
+static inline void solve(const lag_band *band, size_t parts, const double *factors, const double *pivot, double *x)
 {
+    const double *below = pivot + band->n;
+    const double *above = below + band->n;
+    const double *lower = factors + lag_band_upper(band, parts);
+    const double *upper = factors + (size_t)above[band->n];
     for (size_t k = 0; k < band->n; ++k) {
-        exchange(x + 2 * k, x + 2 * (size_t)pivot[k], 0, 2);
-        const double part[2] = {x[2 * k], x[2 * k + 1]};
-        for (size_t i = k + 1; i < rows_end(band, k); ++i) {
-            lag_complex_subtract_product(x + 2 * i, row_of_pairs(band, a, i) + 2 * k, part);
-        }
+        const size_t count = (size_t)below[k] - k - 1;
+        exchange(parts, x + parts * k, x + parts * (size_t)pivot[k]);
+        subtract(parts, count, lower, x + parts * k, x + parts * (k + 1));
+        lower += parts * count;
     }
-    for (size_t i = band->n; i-- > 0;) {
-        const double *row = row_of_pairs(band, a, i);
-        double rest[2] = {x[2 * i], x[2 * i + 1]};
-        const size_t end = (size_t)pivot[band->n + i];
-        for (size_t j = i + 1; j < end; ++j) {
-            lag_complex_subtract_product(rest, row + 2 * j, x + 2 * j);
-        }
-        lag_complex_multiply(rest, row + 2 * i, x + 2 * i);
+    for (size_t k = band->n; k-- > 0;) {
+        const size_t first = (size_t)above[k];
+        upper -= parts * (k + 1 - first);
+        multiply(parts, x + parts * k, upper + parts * (k - first));
+        subtract(parts, k - first, upper, x + parts * k, x + parts * first);
     }
+}
+
+int lag_band_lu(const lag_band *band, double *a, double *pivot, double *factors)
+{
+    return lu(band, 1, a, pivot, factors);
+}
+
+void lag_band_solve(const lag_band *band, const double *factors, const double *pivot, double *x)
+{
+    solve(band, 1, factors, pivot, x);
+}
+
+int lag_band_lu_complex(const lag_band *band, double *a, double *pivot, double *factors)
+{
+    return lu(band, 2, a, pivot, factors);
+}
+
+void lag_band_solve_complex(const lag_band *band, const double *factors, const double *pivot, double *x)
+{
+    solve(band, 2, factors, pivot, x);
 }

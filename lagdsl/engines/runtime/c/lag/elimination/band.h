@@ -2,8 +2,8 @@
  * Square matrices whose nonzero entries lie near the diagonal: Gaussian elimination with partial pivoting within the band, real and
  * complex.
  *
- * Row i of a matrix in a band holds the columns i - lower to i + lower + upper: exchanges of rows fill the last `lower` of them, which
- * are zero at first.
+ * Column j of a matrix in a band holds the rows j - lower - upper to j + lower: exchanges of rows fill the first `lower` of them, which
+ * are zero at first. Decomposition and solution go along columns, whose numbers stand side by side.
  */
 #ifndef LAG_BAND_H
 #define LAG_BAND_H
@@ -14,39 +14,41 @@ typedef struct lag_band {
     size_t n, lower, upper;
 } lag_band;
 
-/* Numbers of a row. */
-static inline size_t lag_band_width(const lag_band *band)
+/* Numbers of a column. */
+static inline size_t lag_band_height(const lag_band *band)
 {
     return 2 * band->lower + band->upper + 1;
 }
 
-/* Row i of `a` (n, width), so that entry (i, j) is [j]. */
-static inline double *lag_band_row(const lag_band *band, double *a, size_t i)
+/* Column j of `a` (n, height), of numbers of so many parts, so that entry (i, j) is at parts * i. */
+static inline double *lag_band_column(const lag_band *band, size_t parts, double *a, size_t j)
 {
-    return a + band->lower + i * (lag_band_width(band) - 1);
-}
-
-static inline size_t lag_band_first(const lag_band *band, size_t i)
-{
-    return i > band->lower ? i - band->lower : 0;
-}
-
-/* Behind the last column of row i. */
-static inline size_t lag_band_end(const lag_band *band, size_t i)
-{
-    return i + band->upper + 1 < band->n ? i + band->upper + 1 : band->n;
+    return a + parts * (band->lower + band->upper + j * (lag_band_height(band) - 1));
 }
 
 /* Multiplications of the elimination in a band, at most; those of a dense matrix are n^3 / 3. */
 double lag_band_operations(const lag_band *band);
 
+/* Doubles of U, of numbers of so many parts, with room for what exchanges fill; behind it those of L, and so of both. */
+static inline size_t lag_band_upper(const lag_band *band, size_t parts)
+{
+    return parts * band->n * (band->lower + band->upper + 1);
+}
+
+static inline size_t lag_band_factors(const lag_band *band, size_t parts)
+{
+    return parts * band->n * lag_band_height(band);
+}
+
 /*
- * As lag_lu() and what follows it in lag/elimination/lu.h, in a band; of L only the row that moves is exchanged, and the diagonal of U is
- * inverted. `pivot` (2 n) has the rows, then of each row of U the place behind its last column: nothing beyond is read.
+ * As lag_lu() and what follows it in lag/elimination/lu.h, in a band; `a` is written over, and the diagonal of U inverted.
+ *
+ * `pivot` (3 n + 1) has the rows; of each column of L the place behind its last number that is not zero; of each column of U the place of its first;
+ * the doubles of U. `factors` has the columns of U and of L without what lies beyond, one behind the other: solutions read them as they lie in memory.
  */
-int lag_band_lu(const lag_band *band, double *a, double *pivot);
-void lag_band_solve(const lag_band *band, double *a, const double *pivot, double *x);
-int lag_band_lu_complex(const lag_band *band, double *a, double *pivot);
-void lag_band_solve_complex(const lag_band *band, double *a, const double *pivot, double *x);
+int lag_band_lu(const lag_band *band, double *a, double *pivot, double *factors);
+void lag_band_solve(const lag_band *band, const double *factors, const double *pivot, double *x);
+int lag_band_lu_complex(const lag_band *band, double *a, double *pivot, double *factors);
+void lag_band_solve_complex(const lag_band *band, const double *factors, const double *pivot, double *x);
 
 #endif

@@ -69,13 +69,14 @@ typedef struct lag_radau_places {
     const lag_radau_table *table;
     double *jacobian;               /* (entries) */
     double *middle;                 /* (entries) what is decomposed: the Jacobian at the start of the step, or at its middle */
-    double *real, *complex;         /* (m, width), (pairs, m, width, 2): decomposed, without coordinates; width: that of the band, or m */
-    double *pivots;                 /* (1 + pairs, 2 m) */
+    double *matrix;                 /* (m, height, 2) of a band, without coordinates, until it is decomposed; height: that of the band */
+    double *factors;                /* (m, height), then (pairs, m, height, 2); of dense matrices in their place, height: m */
+    double *pivots;                 /* (1 + pairs, lag_radau_pivots()) */
     double *z, *w, *slope, *dense;  /* (stages, n) */
     double *right;                  /* (stages, n) */
     double *point, *error;          /* (n) */
     double *sides;                  /* (stages, size) right sides of the systems, then their solutions */
-    double *reduced;                /* (m, 2) of one of them, without coordinates */
+    double *reduced;                /* (stages, m) of them, without coordinates */
     double *change;                 /* (entries) of the Jacobian along the step */
     double *bend;                   /* (entries) at the part c of the step it is Jacobian + c change + c (c - 1) bend */
     double *trend;                  /* (entries) its change along the step before, by time */
@@ -165,11 +166,17 @@ static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places
     return (lag_band){lag_radau_rows(ode), (size_t)at->memo->lower, (size_t)at->memo->upper};
 }
 
-/* Doubles of a real matrix. */
+/* Doubles of a real matrix or its factors, */
 static inline size_t lag_radau_matrix(const lag_ode *ode, const lag_radau_memo *memo)
 {
     const size_t m = lag_radau_rows(ode);
     return m * (lag_radau_is_sparse(ode) ? (size_t)(2.0 * memo->lower + memo->upper) + 1 : m);
+}
+
+/* and of how its rows were chosen and lie. */
+static inline size_t lag_radau_pivots(const lag_ode *ode)
+{
+    return 3 * lag_radau_rows(ode) + 1;
 }
 
 /* The Jacobian at a state. */
@@ -209,10 +216,13 @@ size_t lag_radau_level(const lag_stepper *s, double factor);
 /* x (n) becomes the solution of the real system for it. */
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x);
 
-/* Of `count` stages, numbers that are `apart` from one to the next: those of the state with multipliers behind it, and accelerations behind nq others. */
+/*
+ * Of `count` stages, numbers that are `apart` from one to the next, by their places in the state: those of coordinates; the others, with multipliers
+ * behind them; accelerations in the places of their rates. Null: they are zero.
+ */
 typedef struct lag_radau_stages {
     size_t count, apart;
-    const double *x, *rates; /* null: zero */
+    const double *coordinates, *others, *accelerations;
 } lag_radau_stages;
 
 /*

@@ -54,7 +54,7 @@ static double decomposition_of(const lag_ode *ode, const lag_band *band, double 
 static double solution_of(const lag_ode *ode, const lag_band *band, double pairs)
 {
     const double m = (double)band->n;
-    const double columns = lag_radau_is_sparse(ode) ? (double)lag_band_width(band) : m;
+    const double columns = lag_radau_is_sparse(ode) ? (double)lag_band_height(band) : m;
     return (1.0 + pairs) * WAITS * (m * columns + (ode->nq > 0 ? 0.5 * entries_of(ode) : 0.0));
 }
 

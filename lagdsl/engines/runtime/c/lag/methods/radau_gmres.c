@@ -56,7 +56,7 @@ static void apply(const lag_ode *ode, const lag_radau_places *at, double h, cons
     for (size_t i = 0; i < stages * size && lag_radau_is_sparse(ode); ++i) {
         rates[i] /= h;
     }
-    const lag_radau_stages of = {stages, size, out, rates};
+    const lag_radau_stages of = {stages, size, out, out, rates};
     change(ode, at, 1.0, &of, product);
     lag_radau_transform(size, stages, table->inverse, product, out);
     lag_radau_decomposed(ode, at, out);
@@ -74,7 +74,7 @@ void lag_radau_change_sides(const lag_ode *ode, const lag_radau_places *at, cons
     double *changed = product + STAGES * size;
     double *rates = changed + STAGES * size;
     lag_radau_transform(ode->size, stages, table->transform, residual, rates);
-    const lag_radau_stages of = {stages, ode->size, NULL, rates};
+    const lag_radau_stages of = {.count = stages, .apart = ode->size, .accelerations = rates};
     change(ode, at, -1.0, &of, product);
     lag_radau_transform(size, stages, table->inverse, product, changed);
     for (size_t i = 0; i < stages * size; ++i) {

@@ -27,11 +27,11 @@ enum { STAGES = LAG_RADAU_STAGES, PAIRS = LAG_RADAU_PAIRS, MEMO = sizeof(lag_rad
 size_t lag_radau_memory(const lag_ode *ode)
 {
     const size_t vectors = 2 + 5 * STAGES;
-    const size_t sides = 4 + 2 * PAIRS + (1 + LAG_RADAU_KRYLOV + 3) * STAGES;
+    const size_t sides = (2 + LAG_RADAU_KRYLOV + 3) * STAGES;
     lag_radau_memo memo;
     lag_radau_keep_band(&memo, ode);
-    return lag_dop853.memory(ode) + MEMO + 5 * lag_radau_entries(ode) + (1 + 2 * PAIRS) * lag_radau_matrix(ode, &memo) + vectors * ode->size +
-        sides * lag_radau_size(ode);
+    return lag_dop853.memory(ode) + MEMO + 5 * lag_radau_entries(ode) + (3 + 2 * PAIRS) * lag_radau_matrix(ode, &memo) +
+        (1 + PAIRS) * lag_radau_pivots(ode) + vectors * ode->size + sides * lag_radau_size(ode);
 }
 
 lag_radau_memo *lag_radau_remembered(const lag_stepper *s)
@@ -43,17 +43,16 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
 {
     const size_t n = s->ode->size;
     const size_t entries = lag_radau_entries(s->ode);
-    const size_t rows = lag_radau_rows(s->ode);
     lag_radau_places at;
     at.memo = lag_radau_remembered(s);
     const size_t matrix = lag_radau_matrix(s->ode, at.memo);
     at.table = &lag_radau_tables[(size_t)at.memo->level];
     at.jacobian = (double *)(void *)at.memo + MEMO;
     at.middle = at.jacobian + entries;
-    at.real = at.middle + entries;
-    at.complex = at.real + matrix;
-    at.pivots = at.complex + 2 * PAIRS * matrix;
-    at.z = at.pivots + 2 * (1 + PAIRS) * rows;
+    at.matrix = at.middle + entries;
+    at.factors = at.matrix + (lag_radau_is_sparse(s->ode) ? 2 * matrix : 0);
+    at.pivots = at.factors + (1 + 2 * PAIRS) * matrix;
+    at.z = at.pivots + (1 + PAIRS) * lag_radau_pivots(s->ode);
     at.w = at.z + STAGES * n;
     at.slope = at.w + STAGES * n;
     at.dense = at.slope + STAGES * n;
@@ -62,7 +61,7 @@ lag_radau_places lag_radau_place(const lag_stepper *s)
     at.error = at.point + n;
     at.sides = at.error + n;
     at.reduced = at.sides + STAGES * lag_radau_size(s->ode);
-    at.change = at.reduced + 2 * rows;
+    at.change = at.reduced + STAGES * lag_radau_rows(s->ode);
     at.bend = at.change + entries;
     at.trend = at.bend + entries;
     at.basis = at.trend + entries;

@@ -22,6 +22,11 @@
 #include "lag/linalg/vector.h"
 #include "lag/methods/radau.h"
 
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
 /* Of the matrices, the row or column of this one of the unknowns: the rates, the states, the multipliers of equations. */
 static size_t place_of(const lag_ode *ode, size_t i)
 {
@@ -61,15 +66,20 @@ typedef struct number {
     double value[2];
 } number;
 
-/* The shift of the real system, or of a pair. */
-static number real_shift(const lag_radau_places *at, double h)
+/* The real system is the first, with the first stage; each pair has two. */
+static size_t stage_of(size_t system)
 {
-    return (number){1, {at->table->mu / h, 0.0}};
+    return system == 0 ? 0 : 2 * system - 1;
 }
 
-static number pair_shift(const lag_radau_places *at, size_t pair, double h)
+static size_t systems_of(const lag_radau_table *table)
 {
-    return (number){2, {at->table->alpha[pair] / h, -at->table->beta[pair] / h}};
+    return (table->stages + 1) / 2;
+}
+
+static number shift_of(const lag_radau_table *table, size_t system, double h)
+{
+    return system == 0 ? (number){1, {table->mu / h, 0.0}} : (number){2, {table->alpha[system - 1] / h, -table->beta[system - 1] / h}};
 }
 
 static number inverse_of(const number *a)
@@ -78,11 +88,23 @@ static number inverse_of(const number *a)
     return (number){a->parts, {a->value[0] / square, -a->value[1] / square}};
 }
 
-/* So that entry (row, j) of a matrix of numbers of so many parts is at parts * j. */
-static double *row_of(const lag_ode *ode, const lag_radau_places *at, size_t row, size_t parts, double *matrix)
+/* A matrix of numbers of so many parts: its first entry, and how far apart the entries of a column and of a row are. */
+typedef struct storage {
+    size_t parts;
+    double *first;
+    size_t rows, columns;
+} storage;
+
+static storage storage_of(const lag_ode *ode, const lag_radau_places *at, size_t parts, double *matrix)
 {
     const lag_band band = lag_radau_band(ode, at);
-    return matrix + parts * (lag_radau_is_sparse(ode) ? band.lower + row * (lag_band_width(&band) - 1) : row * band.n);
+    return lag_radau_is_sparse(ode) ? (storage){parts, lag_band_column(&band, parts, matrix, 0), 1, lag_band_height(&band) - 1}
+                                    : (storage){parts, matrix, band.n, 1};
+}
+
+static double *entry_of(const storage *of, size_t row, size_t column)
+{
+    return of->first + of->parts * (row * of->rows + column * of->columns);
 }
 
 /*
@@ -92,7 +114,7 @@ static double *row_of(const lag_ode *ode, const lag_radau_places *at, size_t row
  */
 enum { OPEN = 100 }; /* roundings */
 
-static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
+static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, const number *shift, const storage *matrix)
 {
     for (size_t i = lag_radau_others(ode); i < lag_radau_rows(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
@@ -102,64 +124,64 @@ static void close_multipliers(const lag_ode *ode, const lag_radau_places *at, co
         for (size_t k = row.first; k < row.end; ++k) {
             if (at->middle[k] != 0.0 && is_acceleration(ode, row.column[k])) {
                 const size_t own = place_of(ode, unknown_of(ode, row.column[k]));
-                const double *diagonal = row_of(ode, at, own, shift->parts, matrix) + shift->parts * own;
+                const double *diagonal = entry_of(matrix, own, own);
                 heaviest = fmax(heaviest, hypot(diagonal[0], shift->parts == 2 ? diagonal[1] : 0.0));
                 square += at->middle[k] * at->middle[k];
             }
         }
         const double moved = heaviest > 0.0 ? OPEN * LAG_ROUNDING * hypot(shift->value[0], shift->value[1]) * square / heaviest : 0.0;
-        row_of(ode, at, place, shift->parts, matrix)[shift->parts * place] += square > 0.0 ? moved : 1.0;
+        *entry_of(matrix, place, place) += square > 0.0 ? moved : 1.0;
     }
 }
 
-/* shift I - J, its coordinates eliminated, into `matrix`, which is zero: numbers of as many parts as the shift has. */
+/* shift I - J, its coordinates eliminated, into a matrix of numbers of as many parts as the shift has. */
 static void fill(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *matrix)
 {
     static const number one = {1, {1.0, 0.0}};
     const number inverse = inverse_of(shift);
     const size_t parts = shift->parts;
+    const storage to = storage_of(ode, at, parts, matrix);
+    memset(matrix, 0, parts * lag_radau_matrix(ode, at->memo) * sizeof(double));
     for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
         const lag_radau_row row = lag_radau_row_of(ode, i);
         const size_t place = place_of(ode, i);
-        double *to = row_of(ode, at, place, parts, matrix);
         for (size_t k = row.first; k < row.end; ++k) {
             const size_t column = row.column != NULL ? row.column[k] : k - row.first;
-            double *entry = to + parts * place_of(ode, unknown_of(ode, column));
+            double *entry = entry_of(&to, place, place_of(ode, unknown_of(ode, column)));
             const number *factor = column < ode->nq ? &inverse : is_acceleration(ode, column) ? shift : &one;
             for (size_t part = 0; part < factor->parts; ++part) {
                 entry[part] -= factor->value[part] * at->middle[k];
             }
         }
         for (size_t part = 0; part < parts && lag_radau_is_rate(ode, i); ++part) {
-            to[parts * place + part] += shift->value[part];
+            entry_of(&to, place, place)[part] += shift->value[part];
         }
     }
-    close_multipliers(ode, at, shift, matrix);
+    close_multipliers(ode, at, shift, &to);
 }
 
-static double *matrix_of_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair)
+static double *factors_of(const lag_ode *ode, const lag_radau_places *at, size_t system)
 {
-    return at->complex + 2 * lag_radau_matrix(ode, at->memo) * pair;
+    return at->factors + stage_of(system) * lag_radau_matrix(ode, at->memo);
 }
 
-static int decompose_real(const lag_ode *ode, const lag_radau_places *at, double h)
+static double *pivots_of(const lag_ode *ode, const lag_radau_places *at, size_t system)
 {
-    const lag_band band = lag_radau_band(ode, at);
-    const number shift = real_shift(at, h);
-    memset(at->real, 0, lag_radau_matrix(ode, at->memo) * sizeof(double));
-    fill(ode, at, &shift, at->real);
-    return lag_radau_is_sparse(ode) ? lag_band_lu(&band, at->real, at->pivots) : lag_lu(band.n, at->real, at->pivots);
+    return at->pivots + system * lag_radau_pivots(ode);
 }
 
-static int decompose_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double h)
+static int decompose(const lag_ode *ode, const lag_radau_places *at, size_t system, double h)
 {
     const lag_band band = lag_radau_band(ode, at);
-    const number shift = pair_shift(at, pair, h);
-    double *matrix = matrix_of_pair(ode, at, pair);
-    double *pivots = at->pivots + 2 * (1 + pair) * lag_radau_rows(ode);
-    memset(matrix, 0, 2 * lag_radau_matrix(ode, at->memo) * sizeof(double));
-    fill(ode, at, &shift, matrix);
-    return lag_radau_is_sparse(ode) ? lag_band_lu_complex(&band, matrix, pivots) : lag_lu_complex(band.n, matrix, pivots);
+    const number shift = shift_of(at->table, system, h);
+    double *factors = factors_of(ode, at, system);
+    double *pivots = pivots_of(ode, at, system);
+    if (!lag_radau_is_sparse(ode)) {
+        fill(ode, at, &shift, factors);
+        return (shift.parts == 1 ? lag_lu : lag_lu_complex)(band.n, factors, pivots);
+    }
+    fill(ode, at, &shift, at->matrix);
+    return (shift.parts == 1 ? lag_band_lu : lag_band_lu_complex)(&band, at->matrix, pivots, factors);
 }
 
 /* The Jacobian that is decomposed: at the start of the step, or at its middle. */
@@ -183,12 +205,84 @@ lag_status lag_radau_decompose(lag_stepper *s, const lag_radau_places *at, doubl
     if (at->memo->placed == 0.0) {
         find_middle(ode, at);
     }
-    int regular = decompose_real(ode, at, h);
-    for (size_t pair = 0; 2 * pair + 1 < at->table->stages && regular; ++pair) {
-        regular = decompose_pair(ode, at, pair, h);
+    int regular = 1;
+    for (size_t system = 0; system < systems_of(at->table) && regular; ++system) {
+        regular = decompose(ode, at, system, h);
     }
     at->memo->decomposed = regular ? h : 0.0;
     return regular ? LAG_OK : LAG_SINGULAR;
+}
+
+/* Stages whose products are summed at once: each sum waits for itself only. */
+enum { AT_ONCE = 4 };
+
+/* sum (AT_ONCE) += the entries from k to before `end` times the numbers of x, of stages `apart`, that are `before` places before their columns. */
+static void add_entries(
+    const lag_radau_row *row, const double *entries, size_t k, size_t end, const double *x, size_t before, const size_t apart[AT_ONCE], double *sum)
+{
+    const size_t *column = row->column;
+    double a = sum[0];
+    double b = sum[1];
+    double c = sum[2];
+    double d = sum[3];
+    for (; k < end; ++k) {
+        const double *at = x + ((column != NULL ? column[k] : k - row->first) - before);
+        a += entries[k] * at[apart[0]];
+        b += entries[k] * at[apart[1]];
+        c += entries[k] * at[apart[2]];
+        d += entries[k] * at[apart[3]];
+    }
+    sum[0] = a;
+    sum[1] = b;
+    sum[2] = c;
+    sum[3] = d;
+}
+
+/* Where the kinds of columns of a row, which ascend, begin, and where the last one ends. */
+enum { KINDS = 4 };
+
+static void kinds_of(const lag_ode *ode, const lag_radau_row *row, size_t first[KINDS + 1])
+{
+    size_t coordinates = row->column == NULL ? ode->nq : 0;
+    size_t state = row->column == NULL ? ode->size : 0;
+    size_t rates = state;
+    for (size_t k = row->first; k < row->end && row->column != NULL; ++k) {
+        coordinates += row->column[k] < ode->nq;
+        state += row->column[k] < ode->size;
+        rates += row->column[k] < ode->size + ode->nq;
+    }
+    first[0] = row->first;
+    first[1] = row->first + coordinates;
+    first[2] = row->first + state;
+    first[3] = row->first + rates;
+    first[4] = row->end;
+}
+
+void lag_radau_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out)
+{
+    const double *numbers[KINDS] = {of->coordinates, of->others, of->accelerations, of->others};
+    const size_t before[KINDS] = {0, 0, ode->size - ode->nq, ode->nq};
+    for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
+        const lag_radau_row row = lag_radau_row_of(ode, i);
+        size_t first[KINDS + 1];
+        kinds_of(ode, &row, first);
+        for (size_t stage = 0; stage < of->count; stage += AT_ONCE) {
+            const size_t rest = least(of->count - stage, AT_ONCE);
+            double sum[AT_ONCE] = {0.0};
+            size_t apart[AT_ONCE]; /* those that are too many are found twice */
+            for (size_t k = 0; k < AT_ONCE; ++k) {
+                apart[k] = (stage + least(k, rest - 1)) * of->apart;
+            }
+            for (size_t kind = 0; kind < KINDS; ++kind) {
+                if (numbers[kind] != NULL) {
+                    add_entries(&row, entries, first[kind], first[kind + 1], numbers[kind], before[kind], apart, sum);
+                }
+            }
+            for (size_t k = 0; k < rest; ++k) {
+                out[(stage + k) * lag_radau_size(ode) + ode->nq + i] += factor[stage + k] * sum[k];
+            }
+        }
+    }
 }
 
 /* x by a, of arrays of `count` numbers, whose parts are `apart`. */
@@ -204,47 +298,28 @@ static void multiply(size_t count, size_t apart, const number *a, double *x)
     }
 }
 
-/* The entries of a row in columns of coordinates times what is there: `sum` of as many parts, which are `size` apart in x. */
-static void of_coordinates(const lag_ode *ode, const lag_radau_row *row, const double *entry, size_t parts, const double *x, double sum[2])
+/* Right sides x (stages, size) of so many systems become those of the equations without coordinates. */
+static void eliminate(const lag_ode *ode, const lag_radau_places *at, size_t systems, double *x)
 {
-    const double *other = x + (parts - 1) * lag_radau_size(ode); /* of one part the same twice */
-    sum[0] = sum[1] = 0.0;
-    for (size_t j = 0; j < ode->nq && row->column == NULL; ++j) {
-        sum[0] += entry[row->first + j] * x[j];
-        sum[1] += entry[row->first + j] * other[j];
-    }
-    for (size_t k = row->first; row->column != NULL && k < row->end && row->column[k] < ode->nq; ++k) {
-        sum[0] += entry[k] * x[row->column[k]];
-        sum[1] += entry[k] * other[row->column[k]];
-    }
-}
-
-/* The right side of the equations without coordinates, at->reduced (m, parts), of x (parts, size), which keeps its coordinates only. */
-static void eliminate(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x)
-{
+    static const double one[LAG_RADAU_STAGES] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    const size_t nq = ode->nq;
     const size_t size = lag_radau_size(ode);
-    const size_t parts = shift->parts;
-    const number inverse = inverse_of(shift);
-    for (size_t part = 0; part < parts; ++part) {
-        double *others = x + part * size + ode->nq;
-        for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
-            at->reduced[parts * place_of(ode, i) + part] = others[i];
-        }
-        memcpy(others, x + part * size, ode->nq * sizeof(double));
+    const size_t stages = stage_of(systems);
+    for (size_t k = 0; k < stages; ++k) {
+        memcpy(at->reduced + k * nq, x + k * size, nq * sizeof(double));
     }
-    multiply(ode->nq, size, &inverse, x + ode->nq);
-    for (size_t i = 0; i < lag_radau_rows(ode) && ode->nq > 0; ++i) {
-        const lag_radau_row row = lag_radau_row_of(ode, i);
-        const size_t place = place_of(ode, i);
-        double sum[2];
-        of_coordinates(ode, &row, at->middle, parts, x + ode->nq, sum);
-        for (size_t part = 0; part < parts; ++part) {
-            at->reduced[parts * place + part] += sum[part];
-        }
+    for (size_t system = 0; system < systems; ++system) {
+        const number shift = shift_of(at->table, system, at->memo->decomposed);
+        const number inverse = inverse_of(&shift);
+        multiply(nq, nq, &inverse, at->reduced + stage_of(system) * nq);
+    }
+    const lag_radau_stages of = {.count = stages, .apart = nq, .coordinates = at->reduced};
+    if (nq > 0) {
+        lag_radau_product(ode, at->middle, one, &of, x);
     }
 }
 
-/* The solution of these equations into x, and the coordinates that follow. */
+/* The solution at->reduced (m, parts) of one of these systems into x (parts, size), and the coordinates that follow. */
 static void substitute(const lag_ode *ode, const lag_radau_places *at, const number *shift, double *x)
 {
     const size_t size = lag_radau_size(ode);
@@ -263,89 +338,38 @@ static void substitute(const lag_ode *ode, const lag_radau_places *at, const num
     multiply(ode->nq, size, &inverse, x);
 }
 
-static void solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
+/* One of these systems, in the order of its matrix: x (parts, size). */
+static void solve(const lag_ode *ode, const lag_radau_places *at, size_t system, double *x)
 {
     const lag_band band = lag_radau_band(ode, at);
-    const number shift = real_shift(at, at->memo->decomposed);
-    eliminate(ode, at, &shift, x);
+    const number shift = shift_of(at->table, system, at->memo->decomposed);
+    const double *pivots = pivots_of(ode, at, system);
+    const double *factors = factors_of(ode, at, system);
+    for (size_t part = 0; part < shift.parts; ++part) {
+        for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
+            at->reduced[shift.parts * place_of(ode, i) + part] = x[part * lag_radau_size(ode) + ode->nq + i];
+        }
+    }
     if (lag_radau_is_sparse(ode)) {
-        lag_band_solve(&band, at->real, at->pivots, at->reduced);
+        (shift.parts == 1 ? lag_band_solve : lag_band_solve_complex)(&band, factors, pivots, at->reduced);
     } else {
-        lag_lu_solve(band.n, at->real, at->pivots, at->reduced);
+        (shift.parts == 1 ? lag_lu_solve : lag_lu_complex_solve)(band.n, factors, pivots, at->reduced);
     }
     substitute(ode, at, &shift, x);
 }
 
-/* Both parts of x (2, size). */
-static void solve_pair(const lag_ode *ode, const lag_radau_places *at, size_t pair, double *x)
+/* The first so many systems. */
+static void solve_systems(const lag_ode *ode, const lag_radau_places *at, size_t systems, double *x)
 {
-    const lag_band band = lag_radau_band(ode, at);
-    const number shift = pair_shift(at, pair, at->memo->decomposed);
-    double *matrix = matrix_of_pair(ode, at, pair);
-    const double *pivots = at->pivots + 2 * (1 + pair) * lag_radau_rows(ode);
-    eliminate(ode, at, &shift, x);
-    if (lag_radau_is_sparse(ode)) {
-        lag_band_solve_complex(&band, matrix, pivots, at->reduced);
-    } else {
-        lag_lu_complex_solve(band.n, matrix, pivots, at->reduced);
+    eliminate(ode, at, systems, x);
+    for (size_t system = 0; system < systems; ++system) {
+        solve(ode, at, system, x + stage_of(system) * lag_radau_size(ode));
     }
-    substitute(ode, at, &shift, x);
 }
 
 void lag_radau_decomposed(const lag_ode *ode, const lag_radau_places *at, double *sides)
 {
-    solve_real(ode, at, sides);
-    for (size_t pair = 0; 2 * pair + 1 < at->table->stages; ++pair) {
-        solve_pair(ode, at, pair, sides + (2 * pair + 1) * lag_radau_size(ode));
-    }
-}
-
-/* The first entry of a row, whose columns ascend, that is in a column from `column` on. */
-static size_t entry_from(const lag_radau_row *row, size_t column)
-{
-    size_t first = row->first;
-    size_t end = row->end;
-    while (first < end) {
-        const size_t middle = first + (end - first) / 2;
-        if (row->column[middle] < column) {
-            first = middle + 1;
-        } else {
-            end = middle;
-        }
-    }
-    return first;
-}
-
-/* The entries from k to before `end` of such a row times the numbers of x, which begin at the column `first`. Null: they are zero. */
-static double of_entries(const lag_radau_row *row, const double *entries, size_t k, size_t end, const double *x, size_t first, double sum)
-{
-    for (; x != NULL && k < end; ++k) {
-        sum += entries[k] * x[row->column[k] - first];
-    }
-    return sum;
-}
-
-/* All stages of a row while its entries are at hand. */
-void lag_radau_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out)
-{
-    const size_t n = ode->size;
-    for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
-        const lag_radau_row row = lag_radau_row_of(ode, i);
-        const size_t rates = row.column != NULL ? entry_from(&row, n) : row.end;
-        const size_t multipliers = row.column != NULL ? entry_from(&row, n + ode->nq) : row.end;
-        for (size_t k = 0; k < of->count; ++k) {
-            const double *x = of->x != NULL ? of->x + k * of->apart : NULL;
-            double sum = 0.0;
-            if (row.column != NULL) {
-                sum = of_entries(&row, entries, row.first, rates, x, 0, sum);
-                sum = of_entries(&row, entries, rates, multipliers, of->rates != NULL ? of->rates + k * of->apart + ode->nq : NULL, n, sum);
-                sum = of_entries(&row, entries, multipliers, row.end, x, ode->nq, sum);
-            } else if (x != NULL) {
-                sum = lag_dot(n, entries + row.first, x);
-            }
-            out[k * lag_radau_size(ode) + ode->nq + i] += factor[k] * sum;
-        }
-    }
+    solve_systems(ode, at, systems_of(at->table), sides);
 }
 
 void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t stages, const double *x, double *sides)
@@ -360,7 +384,7 @@ void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t
         }
     }
     if (lag_radau_is_sparse(ode)) {
-        const lag_radau_stages of = {.count = stages, .apart = ode->size, .rates = x};
+        const lag_radau_stages of = {.count = stages, .apart = ode->size, .accelerations = x};
         lag_radau_product(ode, at->middle, minus, &of, sides);
     }
 }
@@ -368,6 +392,6 @@ void lag_radau_take_sides(const lag_ode *ode, const lag_radau_places *at, size_t
 void lag_radau_solve_real(const lag_ode *ode, const lag_radau_places *at, double *x)
 {
     lag_radau_take_sides(ode, at, 1, x, at->sides);
-    solve_real(ode, at, at->sides);
+    solve_systems(ode, at, 1, at->sides);
     memcpy(x, at->sides, ode->size * sizeof(double));
 }

@@ -52,7 +52,7 @@ static void find_sides(const lag_stepper *stepper, const lag_radau_places *at, c
         for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
             side[ode->nq + i] = lag_radau_is_rate(ode, i) ? -rates[ode->nq + i] : 0.0;
         }
-        const lag_radau_stages of = {1, 0, z, rates};
+        const lag_radau_stages of = {1, 0, z, z, rates};
         lag_radau_product(ode, system->jacobian + stage * lag_radau_entries(ode), &one, &of, side);
     }
     lag_radau_transform(size, stages, at->table->inverse, system->sides, at->sides);
