@@ -1,7 +1,9 @@
 """Choice of the cases that run where tests repeat a rule.
 
 Where a test shows one rule of many things, `make check` takes some of them, one of each kind, and `make check-all`
-(LAGDSL_ALL=1) all. LAGDSL_EXPLORE=1 takes all, too, and looks for new ones. The choice stands at the test.
+(LAGDSL_ALL=1) all. LAGDSL_EXPLORE=1 takes all, too, and looks for new ones. The choice stands at the test. Of FMUs,
+which take seconds each, `make check-all` takes every model, and LAGDSL_EXPLORE=1 (`make fmu-check`) every model in
+every version and kind.
 """
 
 from __future__ import annotations
@@ -30,6 +32,14 @@ def chosen(every: Iterable[Item], some: Sequence[Item]) -> list[Item]:
     strangers = [item for item in some if item not in items]
     assert not strangers, f"not there to choose from: {strangers}"
     return items if ALL else list(some)
+
+
+def in_turn(things: Iterable[Item], *axes: Sequence[Any]) -> list[tuple[Any, ...]]:
+    """Every thing with all combinations of values of the axes where all is explored, else with one: each in turn."""
+    combinations = list(product(*axes))
+    if EXPLORE:
+        return [(thing, *values) for thing in things for values in combinations]
+    return [(thing, *combinations[i % len(combinations)]) for i, thing in enumerate(things)]
 
 
 def leave_out(items: list[pytest.Item]) -> list[pytest.Item]:
