@@ -166,7 +166,7 @@ def test_structural_parameters(invoke: Invoke, root: Path, tmp_path: Path) -> No
 def test_an_interrupt_leaves_what_can_be_resumed(invoke: Invoke, pendulum: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.nc"
     kept = tmp_path / "out.nc.partial"
-    command = ["sweep", pendulum, "--set", "l=0.1:0.02:3 m", "--stop", "8", "-o", out]
+    command = ["sweep", pendulum, "--set", "l=0.1:0.01:3 m", "--stop", "20", "-o", out]
     started = [sys.executable, "-m", "lagdsl", *command, "--jobs", "2"]
     first = subprocess.Popen(started, stderr=subprocess.PIPE, text=True, env={**os.environ})
     deadline = time.monotonic() + 60

@@ -34,6 +34,8 @@ SOME = [
 ]
 REJECTED = Path(__file__).parents[2] / "corpus" / "reject"
 NEW = "zz_renamed"
+# Characters of expressions that are nearly left out: renamed, they are.
+LONG = 10_000
 
 
 def _text(name: str) -> str:
@@ -43,7 +45,8 @@ def _text(name: str) -> str:
 def _flat(name: str, text: str) -> str:
     flat = flatten_file(SourceFile(str(FOLDER / name), text), Sink())
     assert flat is not None
-    return "\n".join(line.partition("//")[0].rstrip() for line in flat_text(flat).split("\n"))
+    lines = [line.partition("//")[0].rstrip() for line in flat_text(flat).split("\n")]
+    return "\n".join(line.partition(" = ")[0] if len(line) > LONG or " = ..." in line else line for line in lines)
 
 
 @pytest.mark.parametrize("name", chosen(EVERY, SOME))

@@ -11,6 +11,7 @@ from lagdsl.foundation.source import Span
 from lagdsl.interfaces.lsp.names.classes import Classes, ClassNames, declared_by, of_entry, of_item
 from lagdsl.interfaces.lsp.names.declarations import LABELLED, Declaration, name_span, parts_of, words_of
 from lagdsl.language.semantics.classes.inheritance import items_of
+from lagdsl.language.semantics.expressions.calls import is_of_language
 from lagdsl.language.semantics.scope.imports import root_of
 from lagdsl.language.semantics.scope.naming import name_span as argument_span
 from lagdsl.language.semantics.scope.scope import ClassSymbol, Entry, Scope, lookup
@@ -288,7 +289,13 @@ class Finder:
         return member.symbol if member is not None and member.symbol is not None else member
 
     def _function_name(self, node: nodes.Node, around: Around) -> Declaration | None:
+        """A quantity may have the name of a function of the language: `sticks = sticks(grip)`."""
         before = len(self.found)
+        if isinstance(node, nodes.Reference) and is_of_language(node.name):
+            own = self._named(node.name, around, node.span)
+            if own is None or not isinstance(own.node, nodes.Function):
+                self.found.append(Occurrence(node.span, None, "function"))
+                return None
         found = self._designated(node, around)
         if found is None and isinstance(node, nodes.Reference):
             self.found[before:] = [Occurrence(node.span, None, "function")]

@@ -39,6 +39,11 @@ def call(ctx: Context, scope: Scope, node: nodes.Call) -> Value:
     return _no_function(ctx, scope, node, node.function)
 
 
+def is_of_language(name: str) -> bool:
+    """True for a function that needs no declaration."""
+    return name in SPECIALS or name in OF_EVENTS or name in builtin.BUILTINS
+
+
 def _arguments(ctx: Context, scope: Scope, node: nodes.Call) -> list[Operand]:
     found = []
     for argument in node.arguments:
