@@ -52,12 +52,18 @@ class Semidefinite:
             case _:
                 assert_never(expression)
 
+    def _product(self, left: fx.FlatExpression, right: fx.FlatExpression) -> bool:
+        """True for `m*x*x`, too, which is `(m*x)*x`."""
+        if isinstance(left, fx.Binary) and left.operator == "*" and left.right == right and self.of(left.left):
+            return True
+        return (self.of(left) and self.of(right)) or left == right
+
     def _binary(self, operator: fx.BinaryOperator, left: fx.FlatExpression, right: fx.FlatExpression) -> bool:
         match operator:
             case "+" | "/":
                 return self.of(left) and self.of(right)
             case "*":
-                return (self.of(left) and self.of(right)) or left == right
+                return self._product(left, right)
             case "^":
                 return self.of(left) or (isinstance(right, fx.Number) and right.value % 2.0 == 0.0)
             case "-":
