@@ -46,6 +46,8 @@ OF_EACH_KIND = (
     "freewheel",  # a contact of rates
     "puck_with_side_force",  # friction in a plane
     "viscoelastic_mount",  # coordinates without inertia
+    "library/flexible_strip",  # momenta by directions
+    "robot_arm",  # what a motion requires
 )
 
 

