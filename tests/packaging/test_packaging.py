@@ -156,7 +156,7 @@ def test_the_wheel_runs_a_model(site: Path, root: Path, tmp_path: Path) -> None:
 @repeats("tests/exchange/fmi/test_installed_objects.py")
 @pytest.mark.skipif(zig_program() is None, reason="ziglang is not installed")
 def test_the_first_fmu_of_a_wheel_compiles_the_model_only(site: Path, root: Path, tmp_path: Path) -> None:
-    """With an empty cache: beside the model there are files that read headers of the standard, which fmpy brings."""
+    """With an empty cache. Files that read headers of the standard, which fmpy brings, are compiled with it, as one."""
     fmu, cache = tmp_path / "pendulum.fmu", tmp_path / "cache"
     environment = {"PYTHONPATH": str(site), "PATH": os.environ["PATH"], "HOME": str(tmp_path)}
     model = str(root / "models" / "pendulum.lag")
@@ -169,5 +169,5 @@ def test_the_first_fmu_of_a_wheel_compiles_the_model_only(site: Path, root: Path
     with zipfile.ZipFile(fmu) as archive:
         names = archive.namelist()
     assert {"modelDescription.xml", "sources/Pendulum_fmu.c"} <= set(names)
-    own = [name for name in names if name.endswith(".c") and name.startswith(("sources/Pendulum", "sources/lag/fmi2/"))]
-    assert len(list((cache / "lagdsl").glob("*.o"))) == len(own)
+    own = [name for name in names if name.endswith(".c") and name.startswith("sources/Pendulum")]
+    assert len(list((cache / "lagdsl").glob("*.o"))) == len(own) + 1
