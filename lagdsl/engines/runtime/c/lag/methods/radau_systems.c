@@ -220,22 +220,15 @@ enum { AT_ONCE = 4 };
 static void add_entries(
     const lag_radau_row *row, const double *entries, size_t k, size_t end, const double *x, size_t before, const size_t apart[AT_ONCE], double *sum)
 {
-    const size_t *column = row->column;
-    double a = sum[0];
-    double b = sum[1];
-    double c = sum[2];
-    double d = sum[3];
+    double own[AT_ONCE] = {sum[0], sum[1], sum[2], sum[3]};
     for (; k < end; ++k) {
-        const double *at = x + ((column != NULL ? column[k] : k - row->first) - before);
-        a += entries[k] * at[apart[0]];
-        b += entries[k] * at[apart[1]];
-        c += entries[k] * at[apart[2]];
-        d += entries[k] * at[apart[3]];
+        const double *at = x + (row->column[k] - before);
+        own[0] += entries[k] * at[apart[0]];
+        own[1] += entries[k] * at[apart[1]];
+        own[2] += entries[k] * at[apart[2]];
+        own[3] += entries[k] * at[apart[3]];
     }
-    sum[0] = a;
-    sum[1] = b;
-    sum[2] = c;
-    sum[3] = d;
+    memcpy(sum, own, sizeof own);
 }
 
 /* Where the kinds of columns of a row, which ascend, begin, and where the last one ends. */
@@ -243,23 +236,33 @@ enum { KINDS = 4 };
 
 static void kinds_of(const lag_ode *ode, const lag_radau_row *row, size_t first[KINDS + 1])
 {
-    size_t coordinates = row->column == NULL ? ode->nq : 0;
-    size_t state = row->column == NULL ? ode->size : 0;
-    size_t rates = state;
-    for (size_t k = row->first; k < row->end && row->column != NULL; ++k) {
-        coordinates += row->column[k] < ode->nq;
-        state += row->column[k] < ode->size;
-        rates += row->column[k] < ode->size + ode->nq;
+    first[0] = first[1] = first[2] = first[3] = row->first;
+    for (size_t k = row->first; k < row->end; ++k) {
+        first[1] += row->column[k] < ode->nq;
+        first[2] += row->column[k] < ode->size;
+        first[3] += row->column[k] < ode->size + ode->nq;
     }
-    first[0] = row->first;
-    first[1] = row->first + coordinates;
-    first[2] = row->first + state;
-    first[3] = row->first + rates;
     first[4] = row->end;
+}
+
+static void dense_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out)
+{
+    for (size_t k = 0; k < of->count; ++k) {
+        for (size_t i = ode->nq; i < ode->size; ++i) {
+            const double *row = entries + i * ode->size;
+            const double moved = of->coordinates != NULL ? lag_dot(ode->nq, row, of->coordinates + k * of->apart) : 0.0;
+            const double *others = of->others != NULL ? of->others + k * of->apart + ode->nq : NULL;
+            out[k * ode->size + i] += factor[k] * (others != NULL ? moved + lag_dot(ode->size - ode->nq, row + ode->nq, others) : moved);
+        }
+    }
 }
 
 void lag_radau_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out)
 {
+    if (!lag_radau_is_sparse(ode)) {
+        dense_product(ode, entries, factor, of, out);
+        return;
+    }
     const double *numbers[KINDS] = {of->coordinates, of->others, of->accelerations, of->others};
     const size_t before[KINDS] = {0, 0, ode->size - ode->nq, ode->nq};
     for (size_t i = 0; i < lag_radau_rows(ode); ++i) {
