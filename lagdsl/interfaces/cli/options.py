@@ -94,7 +94,7 @@ takes_swept_signals: Decorator = group(
         multiple=True,
         metavar="NAME=VALUES|FILES",
         help="Values of an input, as for --set: 'f=1, 2, 3 N'; or a CSV file: time and a column for each input; or a "
-        "pattern of such files, 'wind/*.csv', for a run with each.",
+        "pattern of such files, 'wind/day?.csv', for a run with each.",
     ),
     _takes_hold,
 )
