@@ -123,15 +123,13 @@ def _judged(found: Run, finer: Run, oracle: Motion, scales: Scales) -> Report:
 
 
 def _told(run: Run) -> list[tuple[float, str, str]]:
-    return _of_interest(
-        [Happening(event.time, event.name, event.kind) for event in run.motion.events if event.time > 0]
-    )
+    return _of_interest([Happening(event.time, event.name, event.kind) for event in run.motion.events])
 
 
 def _of_interest(told: Sequence[Happening]) -> list[tuple[float, str, str]]:
-    """Names that both tell. A contact that strikes, closes or opens says of the friction under it that it
-    begins or ends."""
-    own = [each for each in told if each.kind in TOLD]
+    """Names that both tell behind the start. A contact that strikes, closes or opens says of the friction under it that
+    it begins or ends."""
+    own = [each for each in told if each.kind in TOLD and each.time > 0]
     of_contacts = [(each.time, each.name) for each in own if each.kind in ("impact", "closed", "opened")]
 
     def follows(each: Happening) -> bool:
