@@ -93,7 +93,7 @@ static inline size_t scale(size_t parts, double *column, size_t k, size_t end)
     return isfinite(size_of(parts, diagonal)) ? last : 0;
 }
 
-/* What is left of column k becomes one of U, of which the numbers from `first` on count, and one of L. */
+/* The numbers of column k become one of U, of which the numbers from `first` on count, and one of L. */
 static inline void keep(size_t parts, const double *column, size_t first, size_t k, size_t last, double **upper, double **lower)
 {
     const size_t above = parts * (k + 1 - first);

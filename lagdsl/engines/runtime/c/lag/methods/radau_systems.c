@@ -231,7 +231,7 @@ static void add_entries(
     memcpy(sum, own, sizeof own);
 }
 
-/* Where the kinds of columns of a row, which ascend, begin, and where the last one ends. */
+/* The first entry of each kind of columns of a row, which ascend; behind the last kind the end of the row. */
 enum { KINDS = 4 };
 
 static void kinds_of(const lag_ode *ode, const lag_radau_row *row, size_t first[KINDS + 1])
