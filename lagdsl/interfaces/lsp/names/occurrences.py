@@ -14,7 +14,7 @@ from lagdsl.language.semantics.classes.inheritance import items_of
 from lagdsl.language.semantics.expressions.calls import is_of_language
 from lagdsl.language.semantics.scope.imports import root_of
 from lagdsl.language.semantics.scope.naming import name_span as argument_span
-from lagdsl.language.semantics.scope.scope import ClassSymbol, Entry, Scope, lookup
+from lagdsl.language.semantics.scope.scope import ClassSymbol, Entry, FunctionSymbol, Scope, lookup
 from lagdsl.language.syntax import nodes
 from lagdsl.language.syntax.walk import children
 
@@ -291,14 +291,11 @@ class Finder:
     def _function_name(self, node: nodes.Node, around: Around) -> Declaration | None:
         """A quantity may have the name of a function of the language: `sticks = sticks(grip)`."""
         before = len(self.found)
-        if isinstance(node, nodes.Reference) and is_of_language(node.name):
-            own = self._named(node.name, around, node.span)
-            if own is None or not isinstance(own.node, nodes.Function):
-                self.found.append(Occurrence(node.span, None, "function"))
-                return None
         found = self._designated(node, around)
-        if found is None and isinstance(node, nodes.Reference):
+        declared = isinstance(found.node if isinstance(found, Declaration) else found, nodes.Function | FunctionSymbol)
+        if isinstance(node, nodes.Reference) and (found is None or (is_of_language(node.name) and not declared)):
             self.found[before:] = [Occurrence(node.span, None, "function")]
+            return None
         return found if isinstance(found, Declaration) else None
 
     def _call(self, node: nodes.Call, around: Around) -> None:

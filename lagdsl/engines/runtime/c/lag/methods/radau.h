@@ -169,8 +169,8 @@ static inline lag_band lag_radau_band(const lag_ode *ode, const lag_radau_places
 /* Doubles of a real matrix or its factors, */
 static inline size_t lag_radau_matrix(const lag_ode *ode, const lag_radau_memo *memo)
 {
-    const size_t m = lag_radau_rows(ode);
-    return m * (lag_radau_is_sparse(ode) ? (size_t)(2.0 * memo->lower + memo->upper) + 1 : m);
+    const lag_band band = {lag_radau_rows(ode), (size_t)memo->lower, (size_t)memo->upper};
+    return lag_radau_is_sparse(ode) ? lag_band_factors(&band, 1) : band.n * band.n;
 }
 
 /* and of how its rows were chosen and lie. */

@@ -20,7 +20,7 @@ enum { COMPLEX = 4 };
  * evaluations; of an implicit one, and for each of its stages, of a sum over these to the coordinates of the systems, back, and what is done once a step.
  */
 enum { EXPLICIT = 6, IMPLICIT = 7, OF_STAGES = 4 };
-/* A product of a substitution waits for the sum before it, one of entries of a row for its column. */
+/* A product of a substitution waits for the sum before it, in a band for memory; one of entries of a row waits for its column. */
 enum { WAITS = 2 };
 /* Sums over the numbers of the stages for a direction of a Krylov space: to the stages and back, and as long as it becomes orthogonal to others. */
 enum { OF_DIRECTION = 8 };

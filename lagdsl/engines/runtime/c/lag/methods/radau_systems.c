@@ -231,9 +231,10 @@ static void add_entries(
     memcpy(sum, own, sizeof own);
 }
 
-/* The first entry of each kind of columns of a row, which ascend; behind the last kind the end of the row. */
+/* Columns of coordinates, of the others of the state, of accelerations, of multipliers. */
 enum { KINDS = 4 };
 
+/* The first entry of each kind, in a row; behind the last kind the end of the row. */
 static void kinds_of(const lag_ode *ode, const lag_radau_row *row, size_t first[KINDS + 1])
 {
     first[0] = first[1] = first[2] = first[3] = row->first;
@@ -245,6 +246,7 @@ static void kinds_of(const lag_ode *ode, const lag_radau_row *row, size_t first[
     first[4] = row->end;
 }
 
+/* The same of df/dx. */
 static void dense_product(const lag_ode *ode, const double *entries, const double *factor, const lag_radau_stages *of, double *out)
 {
     for (size_t k = 0; k < of->count; ++k) {
@@ -317,9 +319,7 @@ static void eliminate(const lag_ode *ode, const lag_radau_places *at, size_t sys
         multiply(nq, nq, &inverse, at->reduced + stage_of(system) * nq);
     }
     const lag_radau_stages of = {.count = stages, .apart = nq, .coordinates = at->reduced};
-    if (nq > 0) {
-        lag_radau_product(ode, at->middle, one, &of, x);
-    }
+    lag_radau_product(ode, at->middle, one, &of, x);
 }
 
 /* The solution at->reduced (m, parts) of one of these systems into x (parts, size), and the coordinates that follow. */
