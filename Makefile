@@ -80,7 +80,7 @@ c-test: c-check  ## the same, with warnings of every compiler there is, the sani
 	$(MAKE) --directory=lagdsl/engines/runtime/c test
 	$(MAKE) --directory=lagdsl/exchange/fmi/c PYTHON=$(abspath $(BIN)/python) test
 
-fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (half an hour)
+fmu-check: $(READY)  ## every model as an FMU of both versions, through FMPy and whatever other importers there are (two hours)
 	LAGDSL_EXPLORE=1 PEERS=$(PEERS) $(BIN)/python -m pytest $(SPREAD) tests/exchange/fmi
 
 update: $(READY)  ## regenerate what is generated: automaton of the grammar, grammars of editors, unit table, functions in C, list of the library, expectations of the corpus

@@ -34,12 +34,15 @@ def chosen(every: Iterable[Item], some: Sequence[Item]) -> list[Item]:
     return items if ALL else list(some)
 
 
-def in_turn(things: Iterable[Item], *axes: Sequence[Any]) -> list[tuple[Any, ...]]:
-    """Every thing with all combinations of values of the axes where all is explored, else with one: each in turn."""
+def in_turn(things: Iterable[Item], *axes: Sequence[Any], some: Sequence[Any]) -> list[tuple[Any, ...]]:
+    """`some`, which `make check` takes; beside them, in `make check-all`, every thing with a combination of values of
+    the axes, each in turn, and with all of them where all is explored."""
     combinations = list(product(*axes))
     if EXPLORE:
-        return [(thing, *values) for thing in things for values in combinations]
-    return [(thing, *combinations[i % len(combinations)]) for i, thing in enumerate(things)]
+        found = [(thing, *values) for thing in things for values in combinations]
+    else:
+        found = [(thing, *combinations[i % len(combinations)]) for i, thing in enumerate(things)]
+    return list(dict.fromkeys([*some, *found])) if ALL else list(some)
 
 
 def leave_out(items: list[pytest.Item]) -> list[pytest.Item]:

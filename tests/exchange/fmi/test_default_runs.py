@@ -13,7 +13,6 @@ from fmi.default_runs import KINDS, SAME, TOLERANCES, judged
 from fmi.exported import VERSIONS
 from fmi.texts import export_text
 
-CASES = in_turn(MODELS, VERSIONS, KINDS, TOLERANCES)
 # A contact that hovers, blows in a row, and friction, which steps at the tolerance itself follow to 3 % of the range.
 SOME = [
     ("ball_on_moving_table", 3, "ModelExchange", 1e-4),
@@ -22,7 +21,9 @@ SOME = [
 ]
 
 
-@pytest.mark.parametrize(("name", "version", "kind", "tolerance"), chosen(dict.fromkeys([*CASES, *SOME]), SOME))
+@pytest.mark.parametrize(
+    ("name", "version", "kind", "tolerance"), in_turn(MODELS, VERSIONS, KINDS, TOLERANCES, some=SOME)
+)
 def test_fmpy_with_nothing_given(name: str, version: int, kind: str, tolerance: float | None) -> None:
     of = judged(name, version, kind, tolerance)
     assert of.error <= SAME, of
