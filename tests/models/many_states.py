@@ -77,9 +77,12 @@ def _least(jacobian: np.ndarray, right: np.ndarray) -> np.ndarray:
     return np.asarray((inverse @ np.where(sound[:, None], right, 0.0)[..., None])[..., 0])
 
 
-def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.ndarray) -> float:
+def left_in_equations(
+    program: Program, state: Arrays, qdd: np.ndarray, lam: np.ndarray, solved: Program | None = None
+) -> float:
     """Residual that qdd and lam leave in M qdd - J'lam = f and J qdd = gamma, relative to the size of the terms; the
-    worst row of all states.
+    worst row of all states. `solved` is the other derivation if its equations gave qdd and lam: a term that vanishes in
+    one of them, because what it is the sum of is not written out, may be a sum with round-off in the other one.
 
     Where terms vanish at a state, relative to what they are the sum of, but not to more than is usual in that row;
     where all of them vanish, relative to a ten-thousandth of what the largest unknowns would make of it, or the
@@ -87,7 +90,9 @@ def left_in_equations(program: Program, state: Arrays, qdd: np.ndarray, lam: np.
     are round-off and say nothing. Balances of forces vanish everywhere: they are
     compared with their terms.
     """
-    (mass, m_size), (force, f_size), (rows, r_size), (bias, b_size) = values_with_size(program, "dynamics", state)
+    dynamics = [values_with_size(each, "dynamics", state) for each in (program, solved or program)]
+    mass, force, rows, bias = (value for value, _ in dynamics[0])
+    m_size, f_size, r_size, b_size = (np.maximum(a, b) for (_, a), (_, b) in zip(*dynamics, strict=True))
     a, lam = qdd[..., None], lam[..., None]
     across, r_across = np.swapaxes(rows, -1, -2), np.swapaxes(r_size, -1, -2)
     alone = np.concatenate([a, _least(mass, force)[..., None]], axis=-2)

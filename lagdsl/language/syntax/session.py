@@ -24,6 +24,7 @@ from lagdsl.language.syntax.tokens import (
     check_length,
     check_number,
     end_of,
+    goes_over_a_line_end,
     plain_tokens,
     second_division,
     span_of,
@@ -159,7 +160,7 @@ class Session:
                 self.sink.report("E0107", Span(self.file, start_of(token), start_of(token) + 2))
                 return None
             case "UNCLOSED_STRING":
-                self.reported.last = start_of(token)
+                self.reported.last = self.opened_string(token)
                 self.sink.report("E0126", Span(self.file, self.reported.last, self.reported.last + 1))
                 return as_text(token)
             case _:
@@ -205,6 +206,12 @@ class Session:
         """Start of the statement that contains the error at `token`."""
         unfinished = self.stack.above(self.stack.boundary() or 1)
         return int(unfinished[0].start_pos) if unfinished else start_of(token)
+
+    def opened_string(self, last: Token) -> int:
+        """Start of the text in quotes that is not closed, if `last` is the one at which this shows. Marks in those that
+        follow it, as in `"+"`, join them to one expression: the first one of the statement over a line end is open."""
+        read = plain_tokens(self.file.text, self.statement_start(last))
+        return start_of(next(filter(goes_over_a_line_end, read), last))
 
     def open_block(self) -> Token | None:
         """The word that begins the innermost open class, loop, branch or event."""

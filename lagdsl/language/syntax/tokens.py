@@ -91,6 +91,11 @@ def plain_tokens(text: str, position: int = 0) -> Iterator[Token]:
             return
 
 
+def goes_over_a_line_end(token: Token) -> bool:
+    """True of text in quotes that is most likely not closed on its line."""
+    return token.type == "STRING" and "\n" in token.value
+
+
 def comments(text: str) -> list[Comment]:
     """All comments. They stand between the tokens, and nothing else does but blanks."""
     found: list[Comment] = []

@@ -78,6 +78,7 @@ CASES = [
     ("E0108", model("  Real x; ⟦\0⟧"), None),
     ("E0126", model('  Real x = 1 ⟦"⟧the mass;\n  Real y = 2 "the other";'), '"'),
     ("E0126", model('  Real x = f("a", ⟦"⟧b);'), '"'),
+    ("E0126", model('  draw text(⟦"⟧a);\n  draw text("+");\n  draw text("-");'), '"'),
     # brackets
     ("E0110", model("  Real x = 3 + 4⟦)⟧;"), None),
     ("E0110", model("  Real x = {1}⟦}⟧;"), None),

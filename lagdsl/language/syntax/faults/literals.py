@@ -10,7 +10,7 @@ from lagdsl.foundation.diagnostics import Edit
 from lagdsl.foundation.source import Span
 from lagdsl.language.syntax.expected import expected, found
 from lagdsl.language.syntax.session import Session
-from lagdsl.language.syntax.tokens import end_of, start_of
+from lagdsl.language.syntax.tokens import end_of, goes_over_a_line_end, start_of
 from lagdsl.language.syntax.unknown_unit import report_unknown_unit
 
 _BRANCHES = ("elif", "elsif", "elsef")
@@ -43,9 +43,9 @@ def unit_after_number(session: Session, token: Token) -> bool:
 def open_string(session: Session, token: Token) -> bool:
     """Text in quotes that went over a line end and closed where the next one was to begin."""
     before = session.previous
-    if before.type != "STRING" or "\n" not in before.value or start_of(token) < end_of(before):
+    if not goes_over_a_line_end(before) or start_of(token) < end_of(before):
         return False
-    opened = start_of(before)
+    opened = session.opened_string(before)
     session.sink.report("E0126", Span(session.file, opened, opened + 1))
     session.stack.cut(session.stack.boundary())
     kept = session.stack.values[-1].end_pos if session.stack.values else 0
