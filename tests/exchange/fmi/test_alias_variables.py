@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from fmpy.model_description import read_model_description
+from fmpy.validation import validate_model_description
 
 from fmi.described import description, of_text, table_of, table_of_text, tree
 from fmi.description_rules import broken, entries
@@ -56,6 +58,19 @@ def test_arrays_are_aliases_as_wholes_and_protected_names_are_none():
     }
     assert aliases(2)["springs.b[2]"] == "chain.a[2]" and len(aliases(2)) == 6
     assert aliases(3, scalar=True)["der(springs.b[1])"] == "der(chain.a[1])"
+
+
+def test_an_alias_of_an_initial_unknown_is_a_variable_of_its_own(tmp_path):
+    """The coordinates are outputs; with a constraint their starts are where a search begins. fmpy takes an alias of
+    such an output for an unknown that is missing."""
+    text = PENDULUMS.replace("Chain chain;", "constraint sin(chain.a[1]) = sin(0.1 rad); Chain chain;")
+    found = table_of_text(text, 3)
+    (other,) = [variable for variable in found.variables if variable.name == "springs.b"]
+    assert (other.attributes.causality, other.attributes.doc, other.count) == ("local", "of the spring", 2)
+    assert broken(tree(found)) == []
+    (tmp_path / "modelDescription.xml").write_text(description(found), encoding="utf-8")
+    read = read_model_description(str(tmp_path), validate=False)
+    assert validate_model_description(read, validate_model_structure=True) == []
 
 
 def test_names_that_are_hidden_or_asked_for():

@@ -72,7 +72,7 @@ class _Search:
         self._indicators = [index for index in range(watched) if not (index < len(held) and held[index])]
         self._place: dict[Entry, tuple[int, int]] = {
             (_role_of_entries(v), entry): (index, element)
-            for index, v in enumerate(variables)
+            for index, v in reversed([*enumerate(variables)])  # the first of those that have the same entries
             if v.attributes.type not in ("STRING", "CLOCK")
             for element, entry in enumerate(v.entries, 1)
         }

@@ -72,6 +72,7 @@ def table(
     leaders = leading(dependent)
     scalars = _scalars(flat, program, known, version, kinds, leaders, clocks=wishes.clocks)
     variables = grouped(shown(scalars, wishes, Sink() if sink is None else sink, arrays=arrays), arrays=arrays)
+    variables = variables if version == 2 else _without_aliases_of_unknowns(variables)
     return Table(
         version=version,
         kinds=tuple(kind for kind in KINDS if kind in kinds),
@@ -88,6 +89,38 @@ def table(
             _leading_states(leaders, len(flat.coordinates)),
         ),
     )
+
+
+def _without_aliases_of_unknowns(variables: Sequence[Variable]) -> tuple[Variable, ...]:
+    """Other names of outputs that are initial unknowns as variables of their own, behind the rest. In FMI 3 an alias is
+    an output, too, and fmpy, with which importers validate, expects all of them among the initial unknowns, where a
+    value reference stands once."""
+
+    def is_unknown(variable: Variable) -> bool:
+        return variable.attributes.causality == "output" and variable.initial in ("approx", "calculated")
+
+    added = [
+        replace(
+            variable,
+            name=name,
+            attributes=replace(
+                variable.attributes,
+                role=Role.DEPENDENT if variable.attributes.role is Role.STATE else variable.attributes.role,
+                causality="local",
+                setting="NEVER",
+                doc=doc,
+            ),
+            initial="calculated",
+            starts=(),
+            reinit=False,
+            derivative_of=None,
+            others=(),
+        )
+        for variable in variables
+        if is_unknown(variable)
+        for name, doc in variable.others
+    ]
+    return (*(replace(v, others=()) if is_unknown(v) else v for v in variables), *added)
 
 
 def _leading_states(leaders: Mapping[int, Sequence[int]], n: int) -> dict[int, list[int]]:
