@@ -1,4 +1,4 @@
-"""Clocks that no run could follow, and Integers that lose digits."""
+"""Clocks alone, clocks that no run could follow, and Integers that lose digits."""
 
 from __future__ import annotations
 
@@ -40,6 +40,14 @@ def test_too_many_ticks_are_told_before_the_motion(first: str, period: float) ->
 def test_a_clock_that_begins_later_ticks_less_often() -> None:
     model = lagdsl.compile(MODEL.format(first="10 s", value="pre(n) + 1"), engine="tape")
     assert model.simulate(stop=0.1, parameters={"h": 1e-300})["n"].max() == 0
+
+
+def test_a_controller_alone_ticks() -> None:
+    """It has no coordinate and no state: nothing moves between its ticks."""
+    text = "model M\n  input Real u = 2;\n  discrete Real s(start = 0);\nequation\n"
+    text += "  when sample(0, 0.25 s) then s = pre(s) + u; end when;\nend M;\n"
+    motion = lagdsl.compile(text, engine="tape").simulate(stop=1.1, interval=0.1)
+    assert motion["s"][-1] == 10.0 and motion["s"][0] == 2.0
 
 
 @pytest.mark.parametrize(

@@ -81,7 +81,7 @@ def partition(program: Program) -> Partition | None:
     A part without guards never ends a step of others: all of that is one island, with what has neither coordinates nor
     states. Islands consist of whole components, so one component is one island.
     """
-    if len(set(program.layout.components)) == 1:
+    if len(set(program.layout.components)) < 2:
         return None
     own = {axis: length for axis, length in sizes(program.layout).items() if axis not in ("nu", "np")}
     lengths = {**own, **counted(program), "nk": len(program.kept_rows)}
