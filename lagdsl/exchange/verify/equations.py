@@ -114,7 +114,8 @@ def tangents(program: Program, engine: Engine, states: Arrays) -> Line:
         jacobian = engine.jacobian(*arguments)
         ours, exact = jacobian @ directions, _by_complex_steps(program, state, directions)
         scale = np.max(np.abs(jacobian), axis=1, keepdims=True, initial=0.0)
-        scale = np.maximum(scale, _LEAST_PART * np.max(scale, initial=0.0))
+        alone = _unconstrained(program, state)
+        scale = np.maximum(scale, _LEAST_PART * max(np.max(scale, initial=0.0), np.max(np.abs(alone), initial=0.0)))
         part = max(part, float(np.max(np.abs(ours - exact) / np.where(scale > 0.0, scale, 1.0), initial=0.0)))
     return Line(name="tangents", says=says, figure=part, limit=_DERIVED)
 
@@ -182,6 +183,12 @@ def _stepped(program: Program, state: Arrays, directions: Any) -> Iterator[Array
     for step in 1j * _STEP * directions.T:
         moved = {Group.Q: step[:n], Group.QD: step[n : 2 * n], Group.Z: step[2 * n :]}
         yield state | {group: state[group] + part for group, part in moved.items()}
+
+
+def _unconstrained(program: Program, state: Arrays) -> Any:
+    """Accelerations of the forces alone: where constraints hold everything, derivatives are round-off of them."""
+    mass, force, _, _ = values(written_out(program), "dynamics", state)
+    return np.linalg.lstsq(mass, force, rcond=None)[0]
 
 
 def _by_complex_steps(program: Program, state: Arrays, directions: Any) -> Any:

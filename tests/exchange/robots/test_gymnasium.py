@@ -42,7 +42,8 @@ def test_equations_are_those_of_mujoco(path: Path) -> None:
     assert max(worst.values()) < 1e-10, worst
     text = lagdsl.import_robot(path, lenient=lenient)
     assert format_text(SourceFile(path.name, text), Sink()) == text
-    assert [each.code for each in lagdsl.check(text) if each.severity != "note"] == []
+    told = [each.code for each in lagdsl.check(text) if each.severity != "note"]
+    assert told == (["W0527"] if path.stem == DRAGGED else [])  # it swims in a horizontal plane
 
 
 @pytest.mark.parametrize("path", spread(FILES, 2), ids=lambda path: path.stem)

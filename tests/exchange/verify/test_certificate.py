@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from choice import ALL, chosen, spread
+from choice import ALL, EXPLORE, chosen, spread
 from click.testing import CliRunner
 from models.corpus import MODELS, compiled, path_of
 from named_models import compiled as from_text
@@ -34,7 +34,15 @@ from lagdsl.motion.pipeline import Compilation
 NAME = "bead_on_circular_wire_redundant"  # a constraint, a load, dissipation
 
 
-@pytest.mark.parametrize("name", chosen(MODELS, ("double_pendulum", NAME, "servo_drive", "van_der_pol")))
+# Certificates take half a minute each, and their lines stand in tests of their own for all models.
+SOME = ("double_pendulum", NAME, "servo_drive", "van_der_pol")
+# No regular state of it is near the start; complex steps through friction at many corners are no derivatives.
+LEFT_OUT = ("capstan", "library/boxes_in_contact")
+SOUND = [name for name in MODELS if name not in LEFT_OUT]
+EVERY = SOUND if EXPLORE else [*SOME, *(name for name in SOUND[::6] if name not in SOME)]
+
+
+@pytest.mark.parametrize("name", chosen(EVERY, SOME))
 def test_every_line_holds(name: str) -> None:
     found = certify(compiled(name).compilation)
     assert [(line.name, line.figure) for line in found.lines if line.verdict == "failed"] == []

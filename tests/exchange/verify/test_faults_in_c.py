@@ -26,7 +26,7 @@ FAULTS = {
     ),
     "the start": (
         "sensitivity_start.c",
-        "lag_columns_put(s, k, n, found, s->columns.x, variables);",
+        "lag_columns_put(s, k, 0, n, found, s->columns.x, variables);",
         "",
         "double_pendulum",
     ),
