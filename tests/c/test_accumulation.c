@@ -63,6 +63,21 @@ static void elastic_bounces_do_not_accumulate(void)
     free(run);
 }
 
+/* It strikes anew at 1 s and gets to v^2/2g = 1.25 m, unless the gap is not known to half of that. */
+static void flights_that_are_hidden_are_none(void)
+{
+    static const double hidden[] = {0.624, 0.626};
+    for (int k = 0; k < 2; ++k) {
+        lag_model model;
+        lag_run *run = ball(&model, 1.0, 0.0);
+        run->instants.contacts.hidden[0] = hidden[k];
+        CHECK(lag_run_to(run, 1.5, 0) == LAG_OK);
+        CHECK(run->motion.w[law_at.contact] == (double)k);
+        CHECK_NEAR(run->stepper.x[0], k == 0 ? 1.25 : 0.0, 1e-9);
+        free(run);
+    }
+}
+
 /*
  * A block that rocks from corner 1 (z + a) to corner 0 (z - a), m = 1, I = 3, both without restitution. Corner 0 strikes with u: P = u/(1/m + 1/I) = 3u/4
  * stops it; corner 1, which carried the block, parts with P (1/m - 1/I) = u/2. So r = 1/2: speeds of both corners stand for energies in the
@@ -147,6 +162,7 @@ int main(void)
     bounces_end_at_the_limit_of_their_series();
     the_limit_is_the_same_wherever_bounces_are_left_out();
     elastic_bounces_do_not_accumulate();
+    flights_that_are_hidden_are_none();
     a_contact_that_opens_continues_the_series_of_the_one_that_closes();
     speeds_are_compared_by_the_energies_that_stop_them();
     contacts_of_other_components_do_not_count();

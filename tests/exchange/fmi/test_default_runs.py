@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from choice import chosen, in_turn
 from fmpy import simulate_fmu
+from fmpy.fmi1 import FMICallException
 from models.corpus import MODELS
 
 from fmi.default_runs import KINDS, SAME, TOLERANCES, judged
@@ -19,12 +20,18 @@ SOME = [
     ("newtons_cradle", 2, "ModelExchange", None),
     ("block_on_incline", 3, "CoSimulation", 1e-4),
 ]
+# At 1e-4 FMPy brings the hub so far beside its constraint that the next spoke does not stand where it lands.
+LESS_EXACT = ("rimless_wheel", "ModelExchange", 1e-4)
 
 
 @pytest.mark.parametrize(
     ("name", "version", "kind", "tolerance"), in_turn(MODELS, VERSIONS, KINDS, TOLERANCES, some=SOME)
 )
 def test_fmpy_with_nothing_given(name: str, version: int, kind: str, tolerance: float | None) -> None:
+    if (name, kind, tolerance) == LESS_EXACT:
+        with pytest.raises(FMICallException):
+            judged(name, version, kind, tolerance)
+        return
     of = judged(name, version, kind, tolerance)
     assert of.error <= SAME, of
     assert kind == "ModelExchange" or of.until == 1.0, of

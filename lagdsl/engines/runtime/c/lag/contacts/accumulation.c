@@ -68,11 +68,12 @@ static void find_return_accelerations(lag_contacts *contacts, double t, const do
     }
 }
 
-/* True if a flight does not get clear of the round-off of its gap, or of a step, or if what is left of them, each `ratio` of the one before, is brief. */
+/* True if a flight does not get clear of what hides it, or of a step, or if what is left of them, each `ratio` of the one before, is brief. */
 static int is_brief(const lag_contacts *contacts, size_t i, double flight, double ratio)
 {
     const double brief = contacts->zeno_time[i] >= 0.0 ? contacts->zeno_time[i] : REST * contacts->length;
-    const int is_lost = 0.125 * flight * contacts->speed[i] < lag_contacts_gap_noise(contacts, i) || flight < STEPS * contacts->flight;
+    const double hidden = fmax(lag_contacts_gap_noise(contacts, i), contacts->hidden[i]);
+    const int is_lost = 0.125 * flight * contacts->speed[i] < hidden || flight < STEPS * contacts->flight;
     return is_lost || flight < brief * fmax(1.0 - ratio, NEXT);
 }
 

@@ -113,15 +113,14 @@ static lag_status disarm(lag_instance *instance)
 
 /*
  * Guards that have left, flagged in `left`, beside those that are flagged. In co-simulation the run tells them. In model exchange the importer has led them to
- * the other side, and others stay, however far behind zero; *flies: contacts among them were clear of their dead bands before; what the others do is rest.
+ * the other side, and others stay, however far behind zero.
  */
-static lag_status find_left(lag_instance *instance, double t, double *left, int *flies)
+static lag_status find_left(lag_instance *instance, double t, double *left)
 {
-    const lag_model *model = instance->fmu->model;
     lag_guards *guards = &instance->run->guards;
     const int exchanged = instance->held.exchanged;
-    const size_t relations = model->nindicator;
-    const size_t count = lag_guard_count(model);
+    const size_t relations = instance->fmu->model->nindicator;
+    const size_t count = lag_guard_count(instance->fmu->model);
     if (exchanged && relations > 0) {
         lag_noise_find(guards->noise, t, instance->x); /* where the importer began, numbers may have been zero */
     }
@@ -132,10 +131,21 @@ static lag_status find_left(lag_instance *instance, double t, double *left, int 
         const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
         instance->latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
         left[i] = left[i] != 0.0 || leaves;
-        *flies = *flies || (i >= relations && i < relations + model->ncontact && left[i] != 0.0 && is_armed(instance, i));
         guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
+}
+
+/* In model exchange flights within the dead band of their gap are none. A contact that is not armed may be farther from where it was. */
+static void hide_flights(lag_instance *instance)
+{
+    lag_contacts *contacts = &instance->run->instants.contacts;
+    const double tolerance = instance->held.exchanged ? instance->run->guards.noise->tolerance : 0.0;
+    for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
+        const size_t guard = instance->fmu->model->nindicator + i;
+        const int waits = instance->held.exchanged && *lag_contacts_flag(contacts, i) == 0.0 && !is_armed(instance, guard);
+        contacts->hidden[i] = fmax(tolerance * lag_contacts_scale(contacts, i), waits ? instance->latched[guard] : 0.0);
+    }
 }
 
 /* The next instant that is known ahead; the stop, if it lies behind that by round-off. */
@@ -193,23 +203,22 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const double h = located ? run->half.length : SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guard_count(instance->fmu->model);
     int any = 0;
-    int flies = !held->exchanged;
     instance->values.known = 0;
     held->jumped = 1;
     lag_fill(located ? 0 : count, 0.0, run->half.pending);
     /* As the importer led them, and after inputs have jumped: a projection moves values, too. */
-    lag_status status = held->exchanged ? find_left(instance, t, run->half.pending, &flies) : LAG_OK;
+    lag_status status = held->exchanged ? find_left(instance, t, run->half.pending) : LAG_OK;
     status = status == LAG_OK ? place(instance, t) : status;
-    status = status == LAG_OK ? find_left(instance, t, run->half.pending, &flies) : status;
+    status = status == LAG_OK ? find_left(instance, t, run->half.pending) : status;
     any = lag_any(count, run->half.pending);
     if (status == LAG_OK && !any) {
         status = lag_instants_conditions(&run->instants, t, instance->x, &any);
     }
     if (status == LAG_OK && any) {
-        run->instants.contacts.flight = flies ? 0.0 : (double)INFINITY;
+        hide_flights(instance);
         run->instants.instant.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
         status = lag_run_instant(run, &(lag_cause){lag_run_due(run, t) ? LAG_CAUSE_TIME : LAG_CAUSE_GUARDS, h, run->half.pending});
-        run->instants.contacts.flight = run->instants.instant.late = 0.0;
+        run->instants.instant.late = 0.0;
     }
     status = status == LAG_OK ? lag_run_ticks(run) : status;
     return lag_instance_judge(instance, lag_instance_leave_event(instance, status));
