@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "lag/elimination/band.h"
-#include "lag/elimination/lu.h"
+#include "lag/factorization/band.h"
+#include "lag/factorization/lu.h"
 
 enum { MOST = 40 };
 

@@ -61,7 +61,7 @@ static void test_closed_form(double rate)
     const lag_arguments at = {.q = x, .qd = x + 2, .p = workspace, .workspace = workspace};
     CHECK(memory != NULL);
     lag_derivatives_place(&d, &made, memory);
-    CHECK(lag_derivatives_look(&d, &at, rate, NULL) == LAG_OK);
+    CHECK(lag_derivatives_factor(&d, &at, rate, NULL) == LAG_OK);
     expect(pull(rate, x), linear.force, d.qdd, d.lam);
     memcpy(d.x, DIRECTION, sizeof DIRECTION);
     CHECK(lag_derivatives_along(&d) == LAG_OK);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 #include "lag/methods/radau.h"
 
 enum { N = 24, TIES = 3, ROWS = 2 * N + TIES, SIZE = 3 * N, COLUMNS = SIZE + N + TIES, SYSTEM = N + 1, MOST_ENTRIES = 24 * N };

@@ -116,5 +116,5 @@ class RunSensitivities:
     def fault(self) -> SensitivityFault:
         """Why there are no more of them, and how many instants have several."""
         told = SensitivityFault()
-        runtime_library().sensitivities_tell(self.address, byref(told))
+        runtime_library().sensitivities_fault(self.address, byref(told))
         return told

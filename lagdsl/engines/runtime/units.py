@@ -20,7 +20,7 @@ from lagdsl.foundation.resources import c_folder, fmi_folder
 SESSIONS = "units/sessions.c"
 _UNITS = {
     SESSIONS: ("session/[!s]*.c", "session/session.c", "session/signals.c", "equations/batch.c", "sensitivities/*.c"),
-    "units/integration.c": ("elimination/*.c", "equations/*.c", "linalg/*.c", "methods/*.c", "optimization/*.c"),
+    "units/integration.c": ("factorization/*.c", "equations/*.c", "linalg/*.c", "methods/*.c", "optimization/*.c"),
     "units/events.c": ("delays/*.c", "events/*.c", "run/*.c", "session/*.c"),
     "units/starts.c": ("contacts/*.c", "impulses/*.c", "initial/*.c"),
     "units/instance.c": ("instance/*.c", "shell/*.c"),

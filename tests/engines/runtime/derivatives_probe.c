@@ -26,7 +26,7 @@ int probe(const lag_model *model, double rate, double t, const double *state, co
     size_t coordinate = 0;
     int status = model->prepare(&at);
     lag_derivatives_place(&d, model, memory);
-    status = status ? status : (int)lag_derivatives_look(&d, &at, rate, &coordinate);
+    status = status ? status : (int)lag_derivatives_factor(&d, &at, rate, &coordinate);
     memcpy(d.x, direction, order * sizeof(double));
     d.time = direction[order];
     status = status ? status : (int)lag_derivatives_along(&d);

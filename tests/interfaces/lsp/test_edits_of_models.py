@@ -11,7 +11,7 @@ from choice import ALL, chosen, spread
 
 from lagdsl.foundation.diagnostics import Sink
 from lagdsl.foundation.source import SourceFile
-from lagdsl.interfaces.lsp.features.actions import all_edits
+from lagdsl.interfaces.lsp.features.actions import edit_of
 from lagdsl.interfaces.lsp.features.formatting import formatting
 from lagdsl.interfaces.lsp.features.rename import Refused, changed, rename
 from lagdsl.interfaces.lsp.findings import findings
@@ -102,7 +102,7 @@ def _actions_remove_their_diagnostics(path: Path, text: str) -> int:
     snapshot = Snapshot(str(path), text, 1)
     found = findings(snapshot)
     before = Counter((each.code, each.message) for each in found)
-    edits = list(all_edits(snapshot, found))
+    edits = [(each, edit) for each in found if (edit := edit_of(snapshot, each)) is not None]
     for each, edit in edits:
         after = Snapshot(snapshot.file.name, text[: edit.span.start] + edit.text + text[edit.span.end :], 2)
         told = Counter((other.code, other.message) for other in findings(after))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from lsprotocol import types as lsp
 
@@ -82,11 +82,3 @@ def _line_of(span: Span) -> Span:
     if end >= 0 and not text[start : span.start].strip() and not text[span.end : end].strip():
         return Span(span.file, start, end + 1)
     return span
-
-
-def all_edits(snapshot: Snapshot, found: Iterable[Diagnostic]) -> Iterator[tuple[Diagnostic, Edit]]:
-    """Every diagnostic that has an edit, with it."""
-    for each in found:
-        edit = edit_of(snapshot, each)
-        if edit is not None:
-            yield each, edit

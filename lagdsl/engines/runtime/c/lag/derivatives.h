@@ -62,7 +62,7 @@ void lag_derivatives_size(lag_derivatives *derivatives, const double *sizes, con
  * qdd and lam at t q qd z u w p, after prepare(), whose arrays must stay as long as derivatives are asked for; what they need is factored.
  * LAG_SINGULAR, LAG_NOT_FINITE as lag_forward_dynamics().
  */
-lag_status lag_derivatives_look(lag_derivatives *derivatives, const lag_arguments *at, double rate, size_t *coordinate);
+lag_status lag_derivatives_factor(lag_derivatives *derivatives, const lag_arguments *at, double rate, size_t *coordinate);
 
 /*
  * dqdd and dlam along the direction, then what follows from them: of d/dt (q, qd, z), outputs, named values, the energies T + V, T, V, and of

@@ -50,7 +50,7 @@ typedef struct lag_cause {
 typedef struct lag_run_callbacks {
     void *context;
     lag_inputs *inputs; /* null: constant inputs */
-    lag_tell_along *along; /* functions for Jacobians; asked once at most, by large models that need one */
+    lag_provide_along *along; /* functions for Jacobians; asked once at most, by large models that need one */
     lag_status (*output)(void *context, lag_run *run, double t, const double *x); /* a row at one of `times` */
     lag_status (*tell)(void *context, lag_run *run, const lag_event_notice *notice); /* events of models with discretes, as they happen */
 } lag_run_callbacks;
@@ -331,7 +331,7 @@ size_t lag_run_rank(lag_run *run, size_t *general, size_t *weakest);
 /* A step to `stop` does not go beyond this time. */
 double lag_run_limit(const lag_run *run, double stop);
 /* True if the run will look at states within a step from here to t. */
-int lag_run_looks_inside(const lag_run *run, double t);
+int lag_run_reads_inside(const lag_run *run, double t);
 
 /* For the parts of a run. */
 

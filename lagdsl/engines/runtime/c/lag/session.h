@@ -25,7 +25,7 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
 /* (np) to be changed before lag_session_begin(), which may be called again. */
 double *lag_session_parameters(lag_session *session);
 
-/* (nu) to be changed at any time; lag_session_jump() after that lets what they bring happen. */
+/* (nu) to be changed before lag_session_begin(). */
 double *lag_session_inputs(lag_session *session);
 
 /*
@@ -40,13 +40,11 @@ lag_status lag_session_begin(lag_session *session, double t);
 /* On to time t, in at most so many steps (0: without bound), as lag_run_to(). */
 lag_status lag_session_to(lag_session *session, double t, size_t most_steps);
 
-lag_status lag_session_jump(lag_session *session);
-
 /* The present state as a row of lag/run/results.h: time, coordinates, rates, states, discrete variables, outputs, energy, residuals. */
 const double *lag_session_row(lag_session *session);
 
 /*
- * Things that happened during the last lag_session_begin(), _to() or _jump(): their number, then t, lag_event_kind and `which` of the first
+ * Things that happened during the last lag_session_begin() or _to(): their number, then t, lag_event_kind and `which` of the first
  * LAG_SESSION_EVENTS of them, as in lag/event_notice.h.
  */
 #define LAG_SESSION_EVENTS 64

@@ -1,7 +1,6 @@
 /* Generated: one unit of several files (lagdsl/engines/runtime/units.py). */
 #include "lag/delays/delays.h"
 #include "lag/delays/pieces.h"
-#include "lag/elimination/lu.h"
 #include "lag/equations/entries.h"
 #include "lag/equations/motion.h"
 #include "lag/evaluate.h"
@@ -12,6 +11,7 @@
 #include "lag/events/noise.h"
 #include "lag/events/refraction.h"
 #include "lag/events/timed.h"
+#include "lag/factorization/lu.h"
 #include "lag/fixed.h"
 #include "lag/initial.h"
 #include "lag/linalg/arena.h"
@@ -59,12 +59,10 @@
 #include "lag/events/event_sides.c"
 
 #define evaluate guards_evaluate
-#define look guards_look
 #define size_of guards_size_of
 #define take_values guards_take_values
 #include "lag/events/guards.c"
 #undef evaluate
-#undef look
 #undef size_of
 #undef take_values
 
@@ -88,14 +86,12 @@
 #define ULPS timed_ULPS
 #define evaluate timed_evaluate
 #define is_known timed_is_known
-#define look_at timed_look_at
 #define value_of timed_value_of
 #include "lag/events/timed.c"
 #undef HALVES
 #undef ULPS
 #undef evaluate
 #undef is_known
-#undef look_at
 #undef value_of
 
 #define FIRST collocation_FIRST
@@ -156,15 +152,11 @@
 
 #define FIRST run_scan_FIRST
 #define count_of run_scan_count_of
-#define look run_scan_look
-#define look_at run_scan_look_at
 #define place_of run_scan_place_of
 #define remember run_scan_remember
 #include "lag/run/run_scan.c"
 #undef FIRST
 #undef count_of
-#undef look
-#undef look_at
 #undef place_of
 #undef remember
 

@@ -2,9 +2,6 @@
 #include "lag/columns.h"
 #include "lag/derivatives.h"
 #include "lag/dynamics.h"
-#include "lag/elimination/band.h"
-#include "lag/elimination/complex.h"
-#include "lag/elimination/lu.h"
 #include "lag/equations/blocks.h"
 #include "lag/equations/delassus.h"
 #include "lag/equations/entries.h"
@@ -14,6 +11,9 @@
 #include "lag/equations/projection.h"
 #include "lag/equations/rank.h"
 #include "lag/evaluate.h"
+#include "lag/factorization/band.h"
+#include "lag/factorization/complex.h"
+#include "lag/factorization/lu.h"
 #include "lag/fixed.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/disjoint_sets.h"
@@ -48,7 +48,7 @@
 #define scale band_scale
 #define size_of band_size_of
 #define solve band_solve
-#include "lag/elimination/band.c"
+#include "lag/factorization/band.c"
 #undef least
 #undef multiply
 #undef scale
@@ -56,7 +56,7 @@
 #undef solve
 
 #define swap_rows lu_swap_rows
-#include "lag/elimination/lu.c"
+#include "lag/factorization/lu.c"
 #undef swap_rows
 
 #define most_rows blocks_most_rows

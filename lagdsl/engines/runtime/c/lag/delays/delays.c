@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 
@@ -187,7 +187,7 @@ double lag_delays_shortest(const lag_delays *delays)
 }
 
 /* The first jump behind what is read as delay i, of those known. */
-static void look_ahead(lag_delays *delays, size_t i)
+static void find_next_jump(lag_delays *delays, size_t i)
 {
     const lag_delay_pieces *pieces = &delays->pieces;
     double *clear = &delays->jumps.clear[i];
@@ -204,7 +204,7 @@ double lag_delays_next(lag_delays *delays)
     double next = (double)INFINITY;
     for (size_t i = 0; i < delays->pieces.n && delays->pieces.count > 0; ++i) {
         if (delays->jumps.ahead[i] == (double)INFINITY) {
-            look_ahead(delays, i);
+            find_next_jump(delays, i);
         }
         next = fmin(next, delays->jumps.ahead[i] + delays->time[i]);
     }
@@ -225,7 +225,7 @@ void lag_delays_change(lag_delays *delays, double t)
             jumps->any = jumps->any || (level == 0.0 && lag_delay_is_jump(pieces, piece, i));
             pieces->level = (int)fmin(pieces->level, level + (delays->direct == 0.0 ? 1.0 : 0.0));
             jumps->from[i] = jumps->clear[i] = jumps->ahead[i];
-            look_ahead(delays, i);
+            find_next_jump(delays, i);
         }
     }
 }

@@ -136,7 +136,7 @@ static void point_at_direction(lag_derivatives *d)
     d->at.dlam = d->dlam;
 }
 
-lag_status lag_derivatives_look(lag_derivatives *d, const lag_arguments *at, double rate, size_t *coordinate)
+lag_status lag_derivatives_factor(lag_derivatives *d, const lag_arguments *at, double rate, size_t *coordinate)
 {
     d->rate = rate;
     d->at = *at;

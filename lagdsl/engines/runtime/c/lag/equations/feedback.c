@@ -6,7 +6,7 @@
 #include "lag/equations/motion.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/finite.h"
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 #include "lag/linalg/vector.h"
 
 /* Steps of Newton's method: one where loads are affine in what they depend on. */

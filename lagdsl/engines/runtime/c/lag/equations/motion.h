@@ -52,11 +52,11 @@ typedef struct lag_along {
 } lag_along;
 
 /* Tells them when they are needed first; what it tells must stay. */
-typedef void lag_tell_along(void *context, lag_along *told);
+typedef void lag_provide_along(void *context, lag_along *told);
 
 /* The way to the Jacobian of a large motion. */
 typedef struct lag_motion_along {
-    lag_tell_along *tell; /* null: one direction after the other */
+    lag_provide_along *tell; /* null: one direction after the other */
     int asked, prepared;  /* it told; its workspace is that of the present parameters */
     lag_along told;
 } lag_motion_along;

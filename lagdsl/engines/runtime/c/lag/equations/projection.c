@@ -103,7 +103,7 @@ void lag_projection_limits(lag_projection *projection, double tolerance, const d
     }
 }
 
-lag_status lag_projection_look(lag_projection *projection, int velocities)
+lag_status lag_projection_evaluate(lag_projection *projection, int velocities)
 {
     lag_motion *motion = projection->motion;
     const lag_model *model = motion->model;
@@ -137,7 +137,7 @@ static lag_status positions(lag_projection *projection, double t, const double *
     motion->at.q = projection->point;
     projection->step.formed = 0;
     for (unsigned k = 0; k < projection->iterations && projection->rows > 0; ++k) {
-        const lag_status status = lag_projection_look(projection, 0);
+        const lag_status status = lag_projection_evaluate(projection, 0);
         const double size = largest(projection);
         if (status != LAG_OK || !(size < (double)INFINITY) || size > CLOSE * before) {
             return LAG_PROJECTION_FAILED;
@@ -204,7 +204,7 @@ static lag_status velocities(lag_projection *projection, double *x, int *moved)
 {
     lag_motion *motion = projection->motion;
     const size_t n = motion->model->nq;
-    const lag_status status = lag_projection_look(projection, 1);
+    const lag_status status = lag_projection_evaluate(projection, 1);
     const double size = status == LAG_OK ? largest_of_rates(projection, x + n) : (double)INFINITY;
     if (!(size < (double)INFINITY)) {
         return LAG_PROJECTION_FAILED;
@@ -270,7 +270,7 @@ lag_status lag_projection_rates(lag_projection *projection, double t, double *x,
         return LAG_OK;
     }
     lag_motion_set_state(motion, t, x);
-    lag_status status = lag_projection_look(projection, 1);
+    lag_status status = lag_projection_evaluate(projection, 1);
     if (status != LAG_OK || !lag_any(model->nc, projection->phi)) {
         return status;
     }
@@ -288,6 +288,6 @@ double lag_projection_distance(lag_projection *projection, double t, const doubl
     lag_motion *motion = projection->motion;
     const double size = projection->round_off[row] > 0.0 ? projection->round_off[row] / LAG_ROUNDING : 1.0;
     lag_motion_set_state(motion, t, x);
-    const lag_status status = lag_projection_look(projection, 0);
+    const lag_status status = lag_projection_evaluate(projection, 0);
     return status == LAG_OK ? fabs(projection->phi[row]) / size : (double)NAN;
 }

@@ -49,7 +49,7 @@ size_t lag_projection_memory(const lag_model *model);
 void lag_projection_place(lag_projection *projection, lag_motion *motion, double *memory);
 
 /* phi and J where the motion is: of position_constraint(), or of velocity_constraint(). */
-lag_status lag_projection_look(lag_projection *projection, int velocities);
+lag_status lag_projection_evaluate(lag_projection *projection, int velocities);
 
 /*
  * Limits for a residual that is `tolerance` in SI units, and the same part of the row's size where that is below one; round-off of

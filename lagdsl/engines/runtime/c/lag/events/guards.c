@@ -19,7 +19,7 @@ static int is_closed(const lag_guards *guards, size_t k)
 }
 
 /* Finds the terms of all values, where `motion` is; not `with_forces` those of gaps, and of corners of places and rates. */
-static lag_status look(lag_guards *guards, int with_forces)
+static lag_status evaluate_terms(lag_guards *guards, int with_forces)
 {
     const lag_motion *motion = guards->motion;
     const lag_model *model = motion->model;
@@ -154,7 +154,7 @@ static lag_status evaluate(lag_guards *guards, double t, const double *x)
         lag_motion_set_state(guards->motion, t, x);
     }
     lag_status status = i < count ? lag_motion_solve(guards->motion, t, x) : LAG_OK;
-    status = status == LAG_OK ? look(guards, i < count) : status;
+    status = status == LAG_OK ? evaluate_terms(guards, i < count) : status;
     if (status == LAG_OK) {
         take_values(guards);
     }

@@ -61,7 +61,7 @@ typedef struct place {
     double t, value, rate;
 } place;
 
-static place look_at(distance *one, double t)
+static place place_at(distance *one, double t)
 {
     const lag_status status = evaluate(one->timed, t);
     one->status = one->status == LAG_OK ? status : one->status;
@@ -70,12 +70,12 @@ static place look_at(distance *one, double t)
 
 static double value_of(void *context, double t)
 {
-    return look_at(context, t).value;
+    return place_at(context, t).value;
 }
 
 static double rate_of(void *context, double t)
 {
-    return look_at(context, t).rate;
+    return place_at(context, t).rate;
 }
 
 /* The first zero between two places where the distance is a polynomial of degree three, about; infinite without. It has a minimum where its rate turns. */
@@ -83,7 +83,7 @@ static double zero_between(distance *one, place a, place b)
 {
     const double tolerance = DBL_EPSILON * fabs(b.t);
     if (b.value > 0.0 && a.rate < 0.0 && b.rate > 0.0) {
-        b = look_at(one, lag_root(rate_of, one, a.t, a.rate, b.t, b.rate, tolerance));
+        b = place_at(one, lag_root(rate_of, one, a.t, a.rate, b.t, b.rate, tolerance));
     }
     return b.value > 0.0 ? (double)INFINITY : lag_root(value_of, one, a.t, fmax(a.value, DBL_MIN), b.t, b.value, tolerance);
 }
@@ -103,7 +103,7 @@ static int is_known(place a, place m, place b)
 /* The first zero between two places, which are halved, about, until their shape is known. */
 static double first_zero(distance *one, place a, place b, int halves)
 {
-    const place m = look_at(one, a.t + MIDDLE * (b.t - a.t));
+    const place m = place_at(one, a.t + MIDDLE * (b.t - a.t));
     const int known = halves == 0 || is_known(a, m, b);
     const double zero = known ? zero_between(one, a, m) : first_zero(one, a, m, halves - 1);
     if (zero < (double)INFINITY || one->status != LAG_OK) {
@@ -115,10 +115,10 @@ static double first_zero(distance *one, place a, place b, int halves)
 /* The first zero of a distance between times `from` and `to`, in parts at most this long. */
 static double zero_in_parts(distance *one, double from, double to, double part)
 {
-    place a = look_at(one, from);
+    place a = place_at(one, from);
     double zero = !(a.value > 0.0) && a.rate <= 0.0 ? from : (double)INFINITY;
     while (a.t < to && zero == (double)INFINITY && one->status == LAG_OK) {
-        const place b = look_at(one, fmin(a.t + part, to));
+        const place b = place_at(one, fmin(a.t + part, to));
         zero = first_zero(one, a, b, HALVES);
         a = b;
     }
@@ -128,7 +128,7 @@ static double zero_in_parts(distance *one, double from, double to, double part)
 /* The zero of an affine distance after time t. */
 static double affine_zero(distance *one, double t)
 {
-    const place now = look_at(one, t);
+    const place now = place_at(one, t);
     const double guess = t - now.value / now.rate;
     if (!(now.rate < 0.0) || guess == (double)INFINITY) {
         return (double)INFINITY;

@@ -13,7 +13,7 @@ size_t lag_initial_memory(const lag_model *model)
 {
     const size_t q = lag_larger(lag_initialization_q_memory(model), lag_initialization_qd_memory(model));
     const size_t all = model->ne > 0 ? lag_initialization_all_memory(model) : 0;
-    const size_t ranks = lag_larger(lag_initialization_rank_memory(model), lag_initialization_look_memory(model));
+    const size_t ranks = lag_larger(lag_initialization_rank_memory(model), lag_initialization_count_memory(model));
     const size_t sizes = lag_initialization_row_sizes_memory(model);
     return model->nc + model->ne == 0 ? 0 : lag_initialization_memory(model) + lag_larger(lag_larger(q, all), lag_larger(ranks, sizes));
 }

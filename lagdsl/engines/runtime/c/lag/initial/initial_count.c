@@ -23,7 +23,7 @@ size_t lag_initialization_rank(size_t count, size_t width, const double *matrix,
     return lag_svd_rank(&svd, LAG_RANK);
 }
 
-size_t lag_initialization_look_memory(const lag_model *model)
+size_t lag_initialization_count_memory(const lag_model *model)
 {
     const size_t m = model->nc;
     const size_t n = model->nq;

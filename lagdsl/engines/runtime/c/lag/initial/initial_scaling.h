@@ -96,9 +96,9 @@ double lag_initialization_least(const lag_svd *svd, double least);
 /* The block of a part of J as it was evaluated last, in natural sizes; `row`: the rows that are told apart, or null: all. */
 void lag_initialization_gather(const lag_initialization *b, const lag_parts *parts, size_t which, const double *row, double *block);
 
-/* Independent rows of J as it was evaluated last; `as_compiled`: those in general are those of the model. Both take lag_initialization_look_memory(). */
+/* Independent rows of J as it was evaluated last; `as_compiled`: those in general are those of the model. Both take lag_initialization_count_memory(). */
 size_t lag_initialization_count(lag_initialization *b, int as_compiled, double *memory);
-size_t lag_initialization_look_memory(const lag_model *model);
+size_t lag_initialization_count_memory(const lag_model *model);
 
 /* Independent ones of the rows (count, width), whose numbers stand in `matrix`; `memory`: lag_svd_memory(). None where one is no number. */
 size_t lag_initialization_rank(size_t count, size_t width, const double *matrix, double *memory);

@@ -96,14 +96,14 @@ static void narrow(triple *at, double u, double v)
     }
 }
 
-int lag_minimum_search(lag_look *look, void *context, const double *places, const double *values, double error, int just)
+int lag_minimum_search(lag_minimum_function *function, void *context, const double *places, const double *values, double error, int just)
 {
     triple at = {{places[0], places[1], places[2]}, {values[0], values[1], values[2]}};
     double place = 0.0;
     double height = 0.0;
     for (int k = 0; k < LOOKS && minimum_of(&at, error, just, &place, &height); ++k) {
         double value = 0.0;
-        if (look(context, place, &value)) {
+        if (function(context, place, &value)) {
             return 1;
         }
         error = fmax(fabs(value - height), CLEARER * error);

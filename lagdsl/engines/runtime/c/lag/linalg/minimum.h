@@ -21,12 +21,12 @@ double lag_piece_doubt(const double *values);
 double lag_piece_length(double w, double doubt);
 
 /* The value at a place, with a context of the caller's; 1 ends the search. */
-typedef int lag_look(void *context, double place, double *value);
+typedef int lag_minimum_function(void *context, double place, double *value);
 
 /*
- * Looks for a minimum below zero between three places, where the function has `values`, known up to an error, and narrows them around it: 1 if a look ended
+ * Looks for a minimum below zero between three places, where the function has `values`, known up to an error, and narrows them around it: 1 if a value ended
  * the search. A minimum may lie beyond an end whose value is below the error; not beyond a beginning at which an event has just occurred: `just`.
  */
-int lag_minimum_search(lag_look *look, void *context, const double *places, const double *values, double error, int just);
+int lag_minimum_search(lag_minimum_function *function, void *context, const double *places, const double *values, double error, int just);
 
 #endif

@@ -25,10 +25,10 @@ static int rates_of_stage(void *context, size_t i, const double *t, const double
 }
 
 /* Lanes in which a slope from `first` to before `end` is no number fail. */
-LAG_ATTEMPT_INLINED void look(const lag_attempt_arrays *at, size_t first, size_t end, double *fault)
+LAG_ATTEMPT_INLINED void check_slopes(const lag_attempt_arrays *at, size_t first, size_t end, double *fault)
 {
     const size_t count = at->size * at->lanes;
-    lag_attempt_look((end - first) * count, at->lanes, at->slope + first * count, fault);
+    lag_attempt_check((end - first) * count, at->lanes, at->slope + first * count, fault);
 }
 
 /* Stages from `first` to before `end` of all groups that have them: while rates of one group wait for each other, those of the next begin. */
@@ -70,7 +70,7 @@ LAG_ATTEMPT_INLINED void judge(lag_attempts *attempts)
     double accepted = 0.0;
     double dense = 0.0;
     lag_combine(count, &lag_dop853_stages[LAG_DOP853_END], at->h, at->slope, at->x, at->x_new);
-    look(at, 1, LAG_DOP853_STAGES, attempts->found.fault);
+    check_slopes(at, 1, LAG_DOP853_STAGES, attempts->found.fault);
     lag_attempt_errors(at, attempts->found.error);
     plan(attempts);
     for (size_t k = 0; k < at->lanes; k += LAG_WIDTH) {
@@ -85,7 +85,7 @@ LAG_ATTEMPT_INLINED void judge(lag_attempts *attempts)
     attempts->dense = dense > 0.0;
     if (accepted > 0.0) {
         (void)rates_of_stage(attempts, LAG_DOP853_END, attempts->found.t_new, at->x_new, at->slope + LAG_DOP853_END * count);
-        look(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->found.fault);
+        check_slopes(at, LAG_DOP853_END, LAG_DOP853_END + 1, attempts->found.fault);
         lag_attempt_urges(at, attempts->found.urge);
     }
     if (accepted > 0.0 && attempts->ends != NULL) {
@@ -233,7 +233,7 @@ LAG_ATTEMPT_INLINED void lag_attempts_make_inlined(lag_attempts *groups, size_t 
     make_stages(groups, count, LAG_DOP853_END + 1, LAG_DOP853_SLOPES);
     for (size_t g = 0; g < count; ++g) {
         if (groups[g].dense) {
-            look(&groups[g].further, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, groups[g].found.fault);
+            check_slopes(&groups[g].further, LAG_DOP853_END + 1, LAG_DOP853_SLOPES, groups[g].found.fault);
             lag_attempt_dense(&groups[g].further, groups[g].terms);
         }
         if (groups[g].used) {

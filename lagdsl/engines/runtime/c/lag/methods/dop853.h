@@ -284,7 +284,7 @@ LAG_ATTEMPT_INLINED void lag_attempt_dense(const lag_attempt_arrays *at, double 
 }
 
 /* fault[k] stays as it is if `count` numbers of lanes are finite in lane k: zero times what is not is no number, and so is every sum with it. */
-LAG_ATTEMPT_INLINED void lag_attempt_look(size_t count, size_t lanes, const double *x, double *fault)
+LAG_ATTEMPT_INLINED void lag_attempt_check(size_t count, size_t lanes, const double *x, double *fault)
 {
     const size_t last = lanes - 1;
     size_t i = 0;

@@ -12,7 +12,7 @@
 #ifndef LAG_RADAU_H
 #define LAG_RADAU_H
 
-#include "lag/elimination/band.h"
+#include "lag/factorization/band.h"
 #include "lag/stepper.h"
 
 enum { LAG_RADAU_STAGES = 7, LAG_RADAU_PAIRS = 3, LAG_RADAU_TABLES = 3 };

@@ -9,15 +9,15 @@
  *
  *     (shift M + r_v + r_q / shift) v - J' lam = M b - r_q a / shift ,   (shift J + s_v + s_q / shift) v = J b - s_q a / shift ,
  *
- * in a band (lag/elimination/band.h), rows and columns in the order that the model tells, multipliers among them. Rates of states, zd = g, join in.
+ * in a band (lag/factorization/band.h), rows and columns in the order that the model tells, multipliers among them. Rates of states, zd = g, join in.
  *
  * Source of that: Hairer and Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.8, "second order systems".
  */
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/band.h"
-#include "lag/elimination/lu.h"
+#include "lag/factorization/band.h"
+#include "lag/factorization/lu.h"
 #include "lag/linalg/linalg.h"
 #include "lag/linalg/vector.h"
 #include "lag/methods/radau.h"

@@ -5,7 +5,7 @@
  * Source: Verwer, Spee, Blom and Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456, formula (2.1).
  */
 #include "lag/fixed.h"
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 
 size_t lag_fixed_memory(size_t size)
 {

@@ -35,9 +35,9 @@ static void find_residuals(lag_run *run, double *residual)
     double *phi = run->projection.phi;
     residual[0] = residual[1] = 0.0;
     if (model->nc > 0) {
-        const lag_status positions = lag_projection_look(&run->projection, 0);
+        const lag_status positions = lag_projection_evaluate(&run->projection, 0);
         residual[0] = positions == LAG_OK ? largest(model->nc, phi) : (double)NAN;
-        const lag_status velocities = lag_projection_look(&run->projection, 1);
+        const lag_status velocities = lag_projection_evaluate(&run->projection, 1);
         residual[1] = velocities == LAG_OK ? largest(model->nc, phi) : (double)NAN;
     }
 }

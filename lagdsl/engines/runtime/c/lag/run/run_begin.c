@@ -22,7 +22,7 @@ static lag_status find_sizes(lag_run *run, double t, const double *x)
     }
     if (model->nc > 0 && options->sizes.row_sizes == NULL) {
         lag_motion_set_state(&run->motion, t, x);
-        status = lag_projection_look(&run->projection, 1);
+        status = lag_projection_evaluate(&run->projection, 1);
     }
     for (size_t i = 0; i < model->nc; ++i) {
         double sum = 0.0;

@@ -236,7 +236,7 @@ int lag_run_is_at_end(const lag_run *run, double corner)
 }
 
 /* The state on a straight line some roundings of time behind the last step, into run->point; its time. */
-static double go_past(lag_run *run)
+static double state_past_step(lag_run *run)
 {
     const lag_stepper *s = &run->stepper;
     const double after = PASSED * probe_step(run);
@@ -254,7 +254,7 @@ int lag_run_meets_corner(lag_run *run)
         return 0;
     }
     lag_status status = evaluate_distances(run, s->t, s->x, guards->pieces.root);
-    const double t = go_past(run);
+    const double t = state_past_step(run);
     status = status == LAG_OK ? evaluate_distances(run, t, run->point, guards->corners.far) : status;
     for (size_t i = 0; i < run->motion.model->ncorner && status == LAG_OK; ++i) {
         meets = meets || (guards->corners.far[i] < 0.0) != (guards->pieces.root[i] < 0.0);
@@ -265,7 +265,7 @@ int lag_run_meets_corner(lag_run *run)
 void lag_run_pass_corner(lag_run *run, double limit)
 {
     lag_stepper *s = &run->stepper;
-    const double t = go_past(run);
+    const double t = state_past_step(run);
     run->guards.corners.count = 0;
     if (!(t < limit)) {
         return;

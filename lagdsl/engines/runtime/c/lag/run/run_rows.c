@@ -25,7 +25,7 @@ double lag_run_limit(const lag_run *run, double stop)
     return lag_lower(lag_lower(stop, known), lag_instants_next(&run->instants));
 }
 
-int lag_run_looks_inside(const lag_run *run, double t)
+int lag_run_reads_inside(const lag_run *run, double t)
 {
     return lag_run_next_row(run) < t || lag_guards_count(&run->guards) > 0;
 }

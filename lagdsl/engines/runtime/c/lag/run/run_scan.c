@@ -44,18 +44,18 @@ static void remember(lag_run *run, int k)
 /* ---- what comes and goes between samples ---- */
 
 /* Number i near its minimum between samples k - 2 and k. */
-typedef struct look {
+typedef struct near_minimum {
     lag_run *run;
     const piece *in;
     int k;
     size_t i;
-    double t;          /* of the last look, */
+    double t;          /* of the last value, */
     lag_status status; /* and LAG_EVENT_PENDING if it has changed there */
-} look;
+} near_minimum;
 
-static int look_at(void *context, double place, double *value)
+static int value_near_minimum(void *context, double place, double *value)
 {
-    look *one = context;
+    near_minimum *one = context;
     lag_run *run = one->run;
     one->t = one->in->a + place * (one->in->b - one->in->a);
     if (!(one->t > run->stepper.t_before) || !(one->t < place_of(one->in, one->k))) {
@@ -70,9 +70,9 @@ static int look_at(void *context, double place, double *value)
 /* LAG_EVENT_PENDING: number i, known up to an error, has changed at the minimum, at *t, between samples k - 2 and k. */
 static lag_status check_minimum(lag_run *run, const piece *in, int k, size_t i, double error, double *t)
 {
-    look one = {run, in, k, i, 0.0, LAG_OK};
+    near_minimum one = {run, in, k, i, 0.0, LAG_OK};
     const int just = k == 2 && in->a == run->stepper.t_before;
-    (void)lag_minimum_search(look_at, &one, LAG_SAMPLE_PLACES + k - 2, lag_guards_seen(&run->guards, i) + k - 2, error, just);
+    (void)lag_minimum_search(value_near_minimum, &one, LAG_SAMPLE_PLACES + k - 2, lag_guards_seen(&run->guards, i) + k - 2, error, just);
     *t = one.t;
     return one.status;
 }

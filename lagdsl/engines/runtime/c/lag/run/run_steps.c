@@ -54,7 +54,7 @@ static lag_status set_rank_estimate(lag_run *run)
 {
     run->ranks.estimate.rank = 0;
     lag_motion_set_state(&run->motion, run->stepper.t, run->stepper.x);
-    const lag_status status = lag_projection_look(&run->projection, 1);
+    const lag_status status = lag_projection_evaluate(&run->projection, 1);
     return status == LAG_OK ? lag_rank_estimate_update(&run->ranks.estimate, run->projection.jacobian) : status;
 }
 

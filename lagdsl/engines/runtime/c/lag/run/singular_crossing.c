@@ -57,7 +57,7 @@ static int jacobian_at(lag_singular *s, double t, const double *x)
 {
     lag_motion *motion = &s->run->motion;
     lag_motion_set_state(motion, t, x);
-    return lag_projection_look(&s->run->projection, 1) == LAG_OK && lag_entries_finite(motion->model, jacobian_of(s));
+    return lag_projection_evaluate(&s->run->projection, 1) == LAG_OK && lag_entries_finite(motion->model, jacobian_of(s));
 }
 
 double lag_singular_margin(lag_singular *s, double t, const double *x)
@@ -83,7 +83,7 @@ size_t lag_singular_rows(lag_singular *s, double t, const double *x)
             s->drift[count++] = phi[i] / run->sizes.rows[i];
         }
     }
-    known = known && lag_projection_look(&run->projection, 0) == LAG_OK;
+    known = known && lag_projection_evaluate(&run->projection, 0) == LAG_OK;
     for (size_t i = 0, column = 0; i < model->nc && known; ++i) {
         if (lag_run_row_counts(run, i)) {
             for (size_t j = 0; j < model->nq; ++j) {

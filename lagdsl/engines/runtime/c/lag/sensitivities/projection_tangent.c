@@ -18,12 +18,12 @@ static lag_status along_discretes(lag_projection *projection, int rates, const d
     for (int k = -LAG_POINTS; k <= LAG_POINTS && status == LAG_OK && h > 0.0; k += k == -1 ? 2 : 1) {
         lag_axpy(model->nw, k * h, dw, motion->w);
         lag_delays_displace(&motion->delays, dw + motion->places.delay, k * h);
-        status = lag_projection_look(projection, rates);
+        status = lag_projection_evaluate(projection, rates);
         lag_delays_displace(&motion->delays, NULL, 0.0);
         lag_axpy(model->nc, (k > 0 ? lag_sixth[k - 1] : -lag_sixth[-k - 1]) / h, projection->phi, projection->step.lam);
         lag_axpy(model->nw, -k * h, dw, motion->w);
     }
-    return status == LAG_OK ? lag_projection_look(projection, rates) : status;
+    return status == LAG_OK ? lag_projection_evaluate(projection, rates) : status;
 }
 
 /* Into `phi` what is left of the conditions on positions, or on rates, along a direction and along discretes dw (nw); their Jacobian stays at hand. */
@@ -67,7 +67,7 @@ static lag_status prepare(lag_projection *projection, int rates, int *responds)
         return LAG_OK;
     }
     projection->step.formed = 0;
-    lag_status status = lag_projection_look(projection, rates);
+    lag_status status = lag_projection_evaluate(projection, rates);
     if (status != LAG_OK) {
         return status;
     }

@@ -247,7 +247,7 @@ size_t lag_sensitivities_size(const lag_model *model, size_t count)
     return lag_padded(sizeof(lag_sensitivities)) + memory_for(model, count) * sizeof(double);
 }
 
-void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault)
+void lag_sensitivities_fault(const lag_sensitivities *s, lag_columns_fault *fault)
 {
     *fault = s->fault;
 }

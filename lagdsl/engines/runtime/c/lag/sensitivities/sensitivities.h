@@ -46,7 +46,7 @@ typedef struct lag_loads_along {
 size_t lag_loads_along_memory(const lag_model *model);
 void lag_loads_along_place(lag_loads_along *a, const lag_model *model, double *memory);
 /* The equations of the motion at x; then rates (2 nq + nz) and outputs (ny; null: not wanted) along a direction of q, qd, z, u, p. */
-lag_status lag_loads_along_look(lag_loads_along *a, lag_motion *motion, double t, const double *x);
+lag_status lag_loads_along_set_state(lag_loads_along *a, lag_motion *motion, double t, const double *x);
 lag_status lag_loads_along_rates(lag_loads_along *a, const lag_motion *motion, const double *direction, double *rates, double *y);
 
 /* Quantities that the motion is differentiated by: `count` directions of the parameters, of constant shifts of inputs, and of the start values of the model. */
@@ -215,7 +215,7 @@ size_t lag_sensitivities_size(const lag_model *model, size_t count);
 lag_sensitivities *lag_sensitivities_place(void *block, const lag_model *model, const lag_sensitivity_directions *of, const lag_sensitivity_rows *rows,
     const lag_along *along);
 /* Why there are no more derivatives, and how many instants have several. */
-void lag_sensitivities_tell(const lag_sensitivities *s, lag_columns_fault *fault);
+void lag_sensitivities_fault(const lag_sensitivities *s, lag_columns_fault *fault);
 
 /*
  * Columns at the start at time t: of the state that lag_run_find() finds for the run, which has not begun, from the start values of the model with
@@ -285,7 +285,7 @@ void lag_columns_follow_parameters(lag_sensitivities *s, const lag_model *model)
 /* Step of differences along the discretes w (nw); 0: they stay. */
 double lag_columns_step(lag_sensitivities *s, struct lag_run *run, const double *w);
 /* The state x at time t is that of the rates along columns, and of their outputs, that are asked for next. */
-lag_status lag_columns_look(lag_sensitivities *s, struct lag_run *run, double t, const double *x, int outputs);
+lag_status lag_columns_set_state(lag_sensitivities *s, struct lag_run *run, double t, const double *x, int outputs);
 /* d/dt (q, qd, z) (2 nq + nz, lanes) along the directions (2 nq + nz + nu + np, lanes) of a block at x, and outputs (ny, lanes; null: not wanted). */
 lag_status lag_columns_rates(lag_sensitivities *s, struct lag_run *run, size_t block, double t, const double *x, const double *directions,
     double *rates, double *y);

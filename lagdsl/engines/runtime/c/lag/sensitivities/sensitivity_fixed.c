@@ -8,7 +8,7 @@
  */
 #include <string.h>
 
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 #include "lag/fixed.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
@@ -61,7 +61,7 @@ static lag_status rates_along(lag_sensitivities *s, lag_run *run, size_t block, 
 /* The slopes of stage `number` of all blocks, at the state x; `drift`: part of the first slope of rates that positions move by. */
 static lag_status stage(lag_sensitivities *s, lag_run *run, double t, const double *x, size_t number, const double *part, double drift)
 {
-    lag_status status = lag_columns_look(s, run, t, x, 0);
+    lag_status status = lag_columns_set_state(s, run, t, x, 0);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         combine(s, run, block, part, s->work.point);
         if (drift != 0.0) {
@@ -156,7 +156,7 @@ static lag_status bend(lag_sensitivities *s, lag_run *run, const double *k)
         const double weight = (place > 0 ? lag_sixth[place - 1] : -lag_sixth[-place - 1]) / by;
         memcpy(x, stepper->x_before, n * sizeof(double));
         lag_axpy(n, place * by, k, x);
-        status = lag_columns_look(s, run, stepper->t_before, x, 0);
+        status = lag_columns_set_state(s, run, stepper->t_before, x, 0);
         for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
             const size_t count = count_of(s, run, block);
             memcpy(s->work.point, lag_columns_before(s, run->stepper.ode->size, block), count * sizeof(double));
@@ -244,7 +244,7 @@ lag_status lag_columns_prepare_fixed(lag_sensitivities *s, lag_run *run)
     const double begin[STAGES] = {0.0};
     lag_status status = stage(s, run, stepper->t_before, stepper->x_before, 0, begin, 0.0);
     status = status == LAG_OK ? lag_stepper_dense(&run->stepper, stepper->t, s->work.state) : status;
-    status = status == LAG_OK ? lag_columns_look(s, run, stepper->t, s->work.state, 0) : status;
+    status = status == LAG_OK ? lag_columns_set_state(s, run, stepper->t, s->work.state, 0) : status;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         memcpy(s->work.point, slot(s, run, block, END), count_of(s, run, block) * sizeof(double));
         status = rates_along(s, run, block, stepper->t, s->work.state, slot(s, run, block, BEHIND));

@@ -8,7 +8,7 @@
  */
 #include <string.h>
 
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 #include "lag/linalg/arena.h"
 #include "lag/linalg/vector.h"
 #include "lag/run.h"
@@ -43,7 +43,7 @@ void lag_loads_along_place(lag_loads_along *a, const lag_model *model, double *m
     a->system_memory = memory;
 }
 
-lag_status lag_loads_along_look(lag_loads_along *a, lag_motion *motion, double t, const double *x)
+lag_status lag_loads_along_set_state(lag_loads_along *a, lag_motion *motion, double t, const double *x)
 {
     const lag_model *model = motion->model;
     const size_t n = model->nq;

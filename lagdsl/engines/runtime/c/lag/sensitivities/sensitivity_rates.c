@@ -68,7 +68,7 @@ static lag_arguments here(const lag_along *along, int *prepared, const lag_motio
 }
 
 /* Finds them at the present state. LAG_MISSING: there are none. */
-static lag_status look_at_motion(lag_sensitivities *s, lag_motion *motion)
+static lag_status evaluate_derivatives(lag_sensitivities *s, lag_motion *motion)
 {
     const lag_along *along = &s->along.motion;
     lag_motion_derivatives *found = &s->work.motion;
@@ -141,7 +141,7 @@ lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, co
     const int written = s->along.motion.tangents != NULL && s->along.motion.tangents->jacobian != NULL;
     const int decomposed = s->work.collocation.equations.matrix != NULL;
     double *entries = s->work.collocation.jacobian + (decomposed ? 0 : i * lag_radau_entries(ode));
-    lag_status status = written ? lag_columns_look(s, run, t, x, 0) : LAG_OK;
+    lag_status status = written ? lag_columns_set_state(s, run, t, x, 0) : LAG_OK;
     const int known = status == LAG_OK && s->work.motion.known;
     if (status != LAG_OK) {
         return status;
@@ -153,7 +153,7 @@ lag_status lag_columns_jacobian(lag_sensitivities *s, lag_run *run, double t, co
     } else {
         status = lag_radau_jacobian(ode, t, x, entries);
     }
-    return status == LAG_OK && !known ? lag_columns_look(s, run, t, x, 0) : status;
+    return status == LAG_OK && !known ? lag_columns_set_state(s, run, t, x, 0) : status;
 }
 
 /* ---- by functions of several directions ---- */
@@ -184,7 +184,7 @@ static lag_status along_states(lag_sensitivities *s, lag_motion *motion, size_t 
 }
 
 /* Rates along the parameters of all columns that have some. */
-static lag_status look_at_parameters(lag_sensitivities *s, lag_motion *motion, int outputs)
+static lag_status evaluate_along_parameters(lag_sensitivities *s, lag_motion *motion, int outputs)
 {
     const lag_along *along = &s->along.parameters;
     if (s->columns.moving == 0) {
@@ -218,21 +218,21 @@ static void add_parameters(const lag_sensitivities *s, const lag_model *model, s
 
 /* ---- all ---- */
 
-lag_status lag_columns_look(lag_sensitivities *s, lag_run *run, double t, const double *x, int outputs)
+lag_status lag_columns_set_state(lag_sensitivities *s, lag_run *run, double t, const double *x, int outputs)
 {
     lag_motion *motion = &run->motion;
     const lag_model *model = motion->model;
     lag_columns_set_delays(s, run, t);
     if (model->nload > 0) { /* derivatives at fixed loads are not those of the motion */
-        return lag_loads_along_look(&s->work.loads, motion, t, x);
+        return lag_loads_along_set_state(&s->work.loads, motion, t, x);
     }
     lag_motion_set_state(motion, t, x);
-    lag_status status = outputs ? LAG_MISSING : look_at_motion(s, motion);
+    lag_status status = outputs ? LAG_MISSING : evaluate_derivatives(s, motion);
     s->work.motion.known = status == LAG_OK;
     if (status != LAG_MISSING) {
         return status;
     }
-    status = s->along.states.tangents != NULL ? look_at_parameters(s, motion, outputs) : LAG_OK;
+    status = s->along.states.tangents != NULL ? evaluate_along_parameters(s, motion, outputs) : LAG_OK;
     if (status != LAG_OK || !takes_jacobian(s, model)) {
         return status;
     }

@@ -38,7 +38,7 @@ lag_status lag_sensitivities_get(lag_sensitivities *s, lag_run *run, double t, c
     double *found = NULL;
     lag_status status = columns_at(s, run, t, x, &found);
     if (status == LAG_OK && model->ny > 0) {
-        status = lag_columns_look(s, run, t, x, 1);
+        status = lag_columns_set_state(s, run, t, x, 1);
     }
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         const size_t own = lag_columns_lanes(s, block);

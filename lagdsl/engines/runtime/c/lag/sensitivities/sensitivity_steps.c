@@ -65,7 +65,7 @@ static lag_status explicit_stage(lag_sensitivities *s, lag_run *run, const lag_a
     const lag_combination *stage = &lag_dop853_stages[i];
     const double t = of_state->t[0] + (i > 0 ? stage->node * of_state->h[0] : 0.0);
     const double *state = i > 0 ? s->work.states + i * of_state->size : of_state->x;
-    lag_status status = lag_columns_look(s, run, t, state, 0);
+    lag_status status = lag_columns_set_state(s, run, t, state, 0);
     const int plain = s->work.motion.known && !lag_any(s->columns.blocks * run->motion.model->nw * s->columns.lanes, s->columns.w);
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         move_to(s, run, block, at);
@@ -220,7 +220,7 @@ static lag_status implicit_error(lag_sensitivities *s, lag_run *run, const lag_r
     double value[LAG_RADAU_STAGES], slope[LAG_RADAU_STAGES];
     lag_radau_weights(table, place, value, slope);
     lag_status status = lag_stepper_dense(&run->stepper, t, s->work.state);
-    status = status == LAG_OK ? lag_columns_look(s, run, t, s->work.state, 0) : status;
+    status = status == LAG_OK ? lag_columns_set_state(s, run, t, s->work.state, 0) : status;
     for (size_t block = 0; block < s->columns.blocks && status == LAG_OK; ++block) {
         const lag_attempt_arrays at = arrays_of(s, run, block);
         const size_t count = at.size * at.lanes;

@@ -127,7 +127,7 @@ LAG_ATTEMPT_INLINED void form_inlined(const lag_stage_equations *e)
     }
 }
 
-/* P a = L U, by outer products with partial pivoting; one more row is room for that of the pivot. Source: see lag/elimination/lu.c. */
+/* P a = L U, by outer products with partial pivoting; one more row is room for that of the pivot. Source: see lag/factorization/lu.c. */
 LAG_ATTEMPT_INLINED int decompose_inlined(size_t n, double *a, double *pivot)
 {
     const size_t apart = lag_stage_rows_apart(n);

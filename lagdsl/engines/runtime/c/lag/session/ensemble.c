@@ -169,7 +169,7 @@ static int record_inside(crowd *all, size_t k)
 }
 
 /* 1: lane k goes on without its run. */
-static int goes_on(crowd *all, size_t k)
+static int goes_on_in_lanes(crowd *all, size_t k)
 {
     const lag_lane_steps *step = &all->attempts[k / all->each].step;
     const size_t place = k % all->each;
@@ -188,7 +188,7 @@ static void settle(crowd *all, size_t k)
     if (all->stepper[k] != NULL) {
         close_lane(all, k);
         if (lag_attempts_settle(all->attempts + group, all->stepper[k], place)) {
-            lag_motions_tell(all->motions + group, place, &own->run->conditions.known);
+            lag_motions_conditions(all->motions + group, place, &own->run->conditions.known);
             step(all, k);
         }
     }
@@ -200,14 +200,14 @@ static void advance(crowd *all, size_t k)
 {
     lag_lane *own = all->lane + k;
     const size_t group = k / all->each;
-    if (goes_on(all, k)) {
+    if (goes_on_in_lanes(all, k)) {
         return;
     }
     settle(all, k);
     lag_stepper *s = all->stepper[k] = bring(all, k);
     if (s != NULL) {
         lag_attempt_begin(s, lag_run_limit(own->run, own->goal));
-        s->attempt.dense = lag_run_looks_inside(own->run, s->attempt.t_new);
+        s->attempt.dense = lag_run_reads_inside(own->run, s->attempt.t_new);
         lag_attempts_enter(all->attempts + group, s, k % all->each);
         open_lane(all, k);
     }

@@ -100,7 +100,7 @@ void lag_motions_rates(void *context, const double *t, const double *x, double *
     if (status == LAG_OK && model->nz > 0) {
         status = states->state_derivative(at, xd + 2 * n);
     }
-    lag_attempt_look(model->nc * states->lanes, states->lanes, motions->lam, fault);
+    lag_attempt_check(model->nc * states->lanes, states->lanes, motions->lam, fault);
     lag_attempt_compare(states->lanes, motions->pivot, status == LAG_OK ? motions->smallest : (double)INFINITY, fault);
 }
 
@@ -128,7 +128,7 @@ void lag_motions_monitor(void *context, const double *t, const double *x, double
     }
 }
 
-void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions *known)
+void lag_motions_conditions(const lag_motions *motions, size_t k, lag_known_conditions *known)
 {
     const lag_known_conditions *all = &motions->known;
     known->lanes = all->lanes;

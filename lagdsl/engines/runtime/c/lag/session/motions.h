@@ -40,7 +40,7 @@ lag_rates_in_lanes lag_motions_rates;
  * until others are found.
  */
 lag_ends_in_lanes lag_motions_monitor;
-void lag_motions_tell(const lag_motions *motions, size_t k, lag_known_conditions *known);
+void lag_motions_conditions(const lag_motions *motions, size_t k, lag_known_conditions *known);
 
 /* Lane k goes on without its run, whose conditions these are; the states found last count in lanes that are `accepted`; the run of lane k catches up. */
 void lag_motions_open(lag_motions *motions, size_t k, const lag_conditions *conditions);

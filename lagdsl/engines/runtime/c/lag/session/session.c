@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "lag/hold.h"
 #include "lag/linalg/arena.h"
 #include "lag/sensitivities/run_sensitivities.h"
 
@@ -23,17 +22,16 @@ struct lag_session {
     void *block; /* of the run */
     lag_run *run;
     lag_results results;
-    lag_hold hold;
-    double *p;
+    double *p, *u;
     double *lasting; /* (nc) */
     derivatives derivatives;
     double events[1 + 3 * LAG_SESSION_EVENTS];
 };
 
-/* Notes what happens; its context is the hold of a session. */
+/* Notes what happens; its context is the session. */
 static lag_status keep_event(void *context, lag_run *run, const lag_event_notice *notice)
 {
-    lag_session *session = ((lag_hold *)context)->context;
+    lag_session *session = context;
     (void)run;
     if (notice->what == LAG_BEFORE || notice->what == LAG_AFTER) {
         return LAG_OK;
@@ -66,15 +64,16 @@ static lag_run_options plan(lag_session *session)
         .length = session->length,
         .start = session->start,
         .careful = 2,
-        .callbacks = {.context = &session->hold, .inputs = session->model->nu > 0 ? lag_hold_tell : NULL, .tell = keep_event},
+        .callbacks = {.context = session, .tell = keep_event},
         .p = session->p,
+        .u = session->u,
         .lasting = {session->lasting, session->lasting != NULL ? independent(session) : 0}
     };
 }
 
 static size_t numbers(const lag_model *model)
 {
-    return lag_results_width(model) + model->np + 2 * model->nu + model->nc + 4;
+    return lag_results_width(model) + model->np + model->nu + model->nc + 3;
 }
 
 size_t lag_session_size(const lag_model *model, const lag_start *start)
@@ -100,7 +99,7 @@ static void find_lasting(lag_session *session)
 static void renew(lag_session *session)
 {
     const lag_run_options options = plan(session);
-    session->run = session->hold.run = lag_run_place(session->block, session->model, &options);
+    session->run = lag_run_place(session->block, session->model, &options);
 }
 
 /* Start values may depend on parameters; inputs are what the model says without them. */
@@ -109,7 +108,7 @@ static void find_default_inputs(lag_session *session)
     lag_motion *motion = &session->run->motion;
     const double t = session->start != NULL ? session->start->t : 0.0;
     if (lag_motion_parameters(motion, session->p) == LAG_OK && lag_motion_start(motion, t, session->run->point) == LAG_OK) {
-        memcpy(session->hold.u, motion->u, session->model->nu * sizeof(double));
+        memcpy(session->u, motion->u, session->model->nu * sizeof(double));
     }
 }
 
@@ -127,10 +126,7 @@ lag_session *lag_session_place(void *block, const lag_model *model, const lag_st
     session->results.most_rows = session->results.most_notes = 1;
     session->results.rows = lag_take(&memory, lag_results_width(model));
     session->p = lag_take(&memory, model->np + 1);
-    session->hold.count = model->nu;
-    session->hold.context = session;
-    session->hold.u = lag_take(&memory, model->nu + 1);
-    session->hold.before = lag_take(&memory, model->nu + 1);
+    session->u = lag_take(&memory, model->nu + 1);
     session->lasting = lag_take(&memory, model->nc + 1);
     find_lasting(session);
     if (model->np > 0) {
@@ -150,7 +146,7 @@ double *lag_session_parameters(lag_session *session)
 
 double *lag_session_inputs(lag_session *session)
 {
-    return session->hold.u;
+    return session->u;
 }
 
 double *lag_session_lasting(lag_session *session)
@@ -211,7 +207,6 @@ lag_status lag_session_begin(lag_session *session, double t)
 {
     renew(session);
     session->events[0] = 0.0;
-    memcpy(session->hold.before, session->hold.u, session->hold.count * sizeof(double));
     if (session->derivatives.block == NULL) {
         return lag_run_begin(session->run, t, NULL);
     }
@@ -223,12 +218,6 @@ lag_status lag_session_to(lag_session *session, double t, size_t most_steps)
 {
     session->events[0] = 0.0;
     return lag_run_to(session->run, t, most_steps);
-}
-
-lag_status lag_session_jump(lag_session *session)
-{
-    session->events[0] = 0.0;
-    return lag_hold_jump(&session->hold);
 }
 
 const double *lag_session_events(const lag_session *session)

@@ -300,7 +300,7 @@ static void find_signature(view *at, const lag_tape_parts *parts, size_t functio
     }
 }
 
-int lag_tape_tells(const lag_tape_parts *parts, size_t function)
+int lag_tape_parts_have(const lag_tape_parts *parts, size_t function)
 {
     return function < parts->part[LAG_TAPE_FUNCTIONS].length / (2 * sizeof(uint32_t));
 }
@@ -312,7 +312,7 @@ int lag_tape_runs(const lag_tape_parts *parts)
     const uint64_t count = parts->part[LAG_TAPE_WORDS].length / sizeof(uint32_t);
     view at = {.size = parts->size};
     at.constants = parts->part[LAG_TAPE_CONSTANT_POOL].length / sizeof(double);
-    for (size_t i = 0; i < LAG_TAPE_FUNCTION_COUNT && lag_tape_tells(parts, i); ++i) {
+    for (size_t i = 0; i < LAG_TAPE_FUNCTION_COUNT && lag_tape_parts_have(parts, i); ++i) {
         const uint64_t first = table[2 * i];
         const uint64_t own = table[2 * i + 1];
         if (first > count || own > count - first || (i == 0 && own == 0)) {

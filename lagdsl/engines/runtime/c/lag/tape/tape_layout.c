@@ -204,7 +204,7 @@ const lag_model *lag_tape_model(const void *bytes, size_t count, void *memory)
     give_tables(tape, &parts, (unsigned char *)memory + (sizeof *tape + 7) / 8 * 8);
     give_start(&tape->start, &parts);
     lag_tape_functions(tape);
-    lag_tape_differentiated(tape, lag_tape_tells(&parts, LAG_TAPE_JACOBIAN) && tape->functions[2 * LAG_TAPE_JACOBIAN + 1] > 0);
+    lag_tape_differentiated(tape, lag_tape_parts_have(&parts, LAG_TAPE_JACOBIAN) && tape->functions[2 * LAG_TAPE_JACOBIAN + 1] > 0);
     lag_tape_parallel(tape);
     return &tape->model;
 }

@@ -64,7 +64,7 @@ typedef struct lag_tape_signature {
 enum { LAG_TAPE_EQUATIONS = LAG_TAPE_NUMBER_OF_SIZES + 1, LAG_TAPE_RATES, LAG_TAPE_VARIABLES };
 
 /* True if the table has the function. */
-int lag_tape_tells(const lag_tape_parts *parts, size_t function);
+int lag_tape_parts_have(const lag_tape_parts *parts, size_t function);
 
 /* Of the function in that place of LAG_TAPE_FUNCTIONS. */
 const lag_tape_signature *lag_tape_signature_of(const lag_tape_parts *parts, size_t function);

@@ -166,7 +166,7 @@ static int sizes_agree(const lag_tape_parts *parts)
            may_hold(parts, LAG_TAPE_START_PARAMETER_MINIMUM, n[LAG_TAPE_NP], sizeof(double)) &&
            may_hold(parts, LAG_TAPE_START_PARAMETER_MAXIMUM, n[LAG_TAPE_NP], sizeof(double)) &&
            holds(parts, LAG_TAPE_SLOTS, 3 * slots(n), word) && holds(parts, LAG_TAPE_MESSAGES, messages(n), word) &&
-           holds(parts, LAG_TAPE_FUNCTIONS, 2 * (LAG_TAPE_FUNCTION_COUNT - (lag_tape_tells(parts, LAG_TAPE_JACOBIAN) ? 0 : 1)), word) &&
+           holds(parts, LAG_TAPE_FUNCTIONS, 2 * (LAG_TAPE_FUNCTION_COUNT - (lag_tape_parts_have(parts, LAG_TAPE_JACOBIAN) ? 0 : 1)), word) &&
            parts->part[LAG_TAPE_WORDS].length % word == 0;
 }
 

@@ -61,7 +61,7 @@ static lag_status residuals(lag_instance *instance)
     values->residual[0] = values->residual[1] = values->slip = 0.0;
     lag_projection_measure(projection, instance->x + model->nq);
     for (size_t level = 0; level < 2 && status == LAG_OK && model->nc > 0; ++level) {
-        status = lag_projection_look(projection, level > 0);
+        status = lag_projection_evaluate(projection, level > 0);
         for (size_t i = 0; i < model->nc; ++i) {
             const double part = level > 0 || model->position_level[i] ? fabs(projection->phi[i]) / instance->run->sizes.rows[i] : 0.0;
             status = status == LAG_OK && !isfinite(part) ? LAG_NOT_FINITE : status;
@@ -97,7 +97,7 @@ static lag_status find(lag_instance *instance, unsigned role)
     case LAG_ROLE_INDICATOR:
         return lag_instance_find_indicators(instance);
     default:
-        return lag_derivatives_look(&instance->derivatives, &motion->at, role == LAG_PULLED ? lag_instance_rate(instance) : 0.0, &motion->coordinate);
+        return lag_derivatives_factor(&instance->derivatives, &motion->at, role == LAG_PULLED ? lag_instance_rate(instance) : 0.0, &motion->coordinate);
     }
 }
 

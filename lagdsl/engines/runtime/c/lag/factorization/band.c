@@ -4,12 +4,12 @@
  * Source: Golub and Van Loan, Matrix Computations, 4th ed., section 4.3.3 (band Gaussian elimination with partial pivoting); only exchanges
  * fill columns beyond the band (LAPACK's dgbtf2).
  */
-#include "lag/elimination/band.h"
+#include "lag/factorization/band.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/complex.h"
+#include "lag/factorization/complex.h"
 
 double lag_band_operations(const lag_band *band)
 {

@@ -41,7 +41,7 @@ static inline size_t lag_band_factors(const lag_band *band, size_t parts)
 }
 
 /*
- * As lag_lu() and what follows it in lag/elimination/lu.h, in a band; `a` is written over, and the diagonal of U inverted.
+ * As lag_lu() and what follows it in lag/factorization/lu.h, in a band; `a` is written over, and the diagonal of U inverted.
  *
  * `pivot` (3 n + 1) has the rows; of each column of L the place behind its last number that is not zero; of each column of U the place of its first;
  * the doubles of U. `factors` has the columns of U and of L without what lies beyond, one behind the other: solutions read them as they lie in memory.

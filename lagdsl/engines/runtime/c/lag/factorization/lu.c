@@ -1,10 +1,10 @@
 /* Source: Golub and Van Loan, Matrix Computations, 4th ed., algorithm 3.4.1 (outer products, partial pivoting). */
-#include "lag/elimination/lu.h"
+#include "lag/factorization/lu.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "lag/elimination/complex.h"
+#include "lag/factorization/complex.h"
 
 static void swap_rows(size_t width, double *a, size_t i, size_t j)
 {
