@@ -72,9 +72,8 @@ static void find_return_accelerations(lag_contacts *contacts, double t, const do
 static int is_brief(const lag_contacts *contacts, size_t i, double flight, double ratio)
 {
     const double brief = contacts->zeno_time[i] >= 0.0 ? contacts->zeno_time[i] : REST * contacts->length;
-    const double hidden = fmax(lag_contacts_gap_noise(contacts, i), contacts->hidden[i]);
-    const int is_lost = 0.125 * flight * contacts->speed[i] < hidden || flight < STEPS * contacts->flight;
-    return is_lost || flight < brief * fmax(1.0 - ratio, NEXT);
+    const double hidden = fmax(lag_contacts_gap_noise(contacts, i), 0.5 * contacts->hidden[i]);
+    return 0.125 * flight * contacts->speed[i] < hidden || flight < fmax(STEPS * contacts->flight, brief * fmax(1.0 - ratio, NEXT));
 }
 
 /* The series of the bounces in the component of a contact that parts. */

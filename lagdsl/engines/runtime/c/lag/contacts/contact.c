@@ -23,8 +23,7 @@ void lag_contacts_place(lag_contacts *contacts, lag_motion *motion, lag_layout *
     lag_lay_all(layout, model->ngap, (double **const[]){&contacts->gap, &contacts->speed, NULL});
     lag_inequalities_place(&blows->rows, model, layout);
     lag_lay_all(layout, model->ncontact, (double **const[]){&contacts->sizes.force, &contacts->sizes.blow, &contacts->restitution, &contacts->capture_speed,
-        &contacts->zeno_time, &blows->approach, &blows->closing, &blows->before, &blows->back, &blows->compliance, &blows->met, NULL});
-    contacts->hidden = lag_lay_filled(layout, model->ncontact, 0.0);
+        &contacts->zeno_time, &contacts->hidden, &blows->approach, &blows->closing, &blows->before, &blows->back, &blows->compliance, &blows->met, NULL});
     contacts->until = lag_lay_filled(layout, model->ncontact, (double)INFINITY);
     contacts->forces = lag_lay(layout, model->nq);
     contacts->work = lag_lay(layout, 4 * model->nq);

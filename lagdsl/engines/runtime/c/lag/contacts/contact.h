@@ -39,10 +39,9 @@ typedef struct lag_contacts {
     double length;           /* of the experiment [s] */
     double flight;           /* bounces that take less than two of these are none: steps of this length cannot tell them [s] */
     const double *limits;    /* (nc) constraints are satisfied to these; null: exactly */
-    double *hidden;          /* (ncontact) flights that get no higher than twice this, or round-off, are none: nobody can tell them */
     double *until;           /* (ncontact) bounces that were too short to follow last up to then; infinite: there are none */
     double *gap, *speed, *jacobian;       /* (ngap) (ngap) (ngap, nq) at the state evaluated last */
-    double *restitution, *capture_speed, *zeno_time;   /* (ncontact) */
+    double *restitution, *capture_speed, *zeno_time, *hidden; /* (ncontact) flights no higher than `hidden` are none */
     double *forces;          /* (nq) magnitudes of generalized forces */
     double *work;            /* (4 nq) */
 } lag_contacts;

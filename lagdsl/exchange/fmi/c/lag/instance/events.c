@@ -113,11 +113,12 @@ static lag_status disarm(lag_instance *instance)
 
 /*
  * Guards that have left, flagged in `left`, beside those that are flagged. In co-simulation the run tells them. In model exchange the importer has led them to
- * the other side, and others stay, however far behind zero.
+ * the other side, and others stay, however far behind zero. Flights of a contact that was not clear of its dead band are none within it.
  */
 static lag_status find_left(lag_instance *instance, double t, double *left)
 {
     lag_guards *guards = &instance->run->guards;
+    lag_contacts *contacts = &instance->run->instants.contacts;
     const int exchanged = instance->held.exchanged;
     const size_t relations = instance->fmu->model->nindicator;
     const size_t count = lag_guard_count(instance->fmu->model);
@@ -131,21 +132,13 @@ static lag_status find_left(lag_instance *instance, double t, double *left)
         const double behind = i < relations ? fmax(0.0, -guards->value[i]) : 0.0;
         instance->latched[i] *= exchanged && leaves && !is_armed(instance, i) ? WIDER : 1.0;
         left[i] = left[i] != 0.0 || leaves;
+        if (exchanged && i - relations < instance->fmu->model->ncontact) {
+            const double band = guards->noise->tolerance * lag_contacts_scale(contacts, i - relations); /* of the gap; this guard may be a force */
+            contacts->hidden[i - relations] = *lag_contacts_flag(contacts, i - relations) != 0.0 ? band : is_armed(instance, i) ? 0.0 : instance->latched[i];
+        }
         guards->depth[i] = !exchanged ? guards->depth[i] : left[i] != 0.0 ? 0.0 : behind;
     }
     return status == LAG_EVENT_PENDING ? LAG_OK : status;
-}
-
-/* In model exchange flights within the dead band of their gap are none. A contact that is not armed may be farther from where it was. */
-static void hide_flights(lag_instance *instance)
-{
-    lag_contacts *contacts = &instance->run->instants.contacts;
-    const double tolerance = instance->held.exchanged ? instance->run->guards.noise->tolerance : 0.0;
-    for (size_t i = 0; i < instance->fmu->model->ncontact; ++i) {
-        const size_t guard = instance->fmu->model->nindicator + i;
-        const int waits = instance->held.exchanged && *lag_contacts_flag(contacts, i) == 0.0 && !is_armed(instance, guard);
-        contacts->hidden[i] = fmax(tolerance * lag_contacts_scale(contacts, i), waits ? instance->latched[guard] : 0.0);
-    }
 }
 
 /* The next instant that is known ahead; the stop, if it lies behind that by round-off. */
@@ -202,7 +195,6 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     const double t = present(instance);
     const double h = located ? run->half.length : SHORT_TIME * fmax(run->instants.contacts.length, fabs(t));
     const size_t count = lag_guard_count(instance->fmu->model);
-    int any = 0;
     instance->values.known = 0;
     held->jumped = 1;
     lag_fill(located ? 0 : count, 0.0, run->half.pending);
@@ -210,12 +202,11 @@ lag_status lag_instance_carry_out(lag_instance *instance)
     lag_status status = held->exchanged ? find_left(instance, t, run->half.pending) : LAG_OK;
     status = status == LAG_OK ? place(instance, t) : status;
     status = status == LAG_OK ? find_left(instance, t, run->half.pending) : status;
-    any = lag_any(count, run->half.pending);
+    int any = lag_any(count, run->half.pending);
     if (status == LAG_OK && !any) {
         status = lag_instants_conditions(&run->instants, t, instance->x, &any);
     }
     if (status == LAG_OK && any) {
-        hide_flights(instance);
         run->instants.instant.late = held->exchanged ? LATE * run->instants.contacts.length : 0.0;
         status = lag_run_instant(run, &(lag_cause){lag_run_due(run, t) ? LAG_CAUSE_TIME : LAG_CAUSE_GUARDS, h, run->half.pending});
         run->instants.instant.late = 0.0;
